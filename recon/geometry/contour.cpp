@@ -1,0 +1,88 @@
+#include "recon/geometry/contour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isostack {
+
+namespace {
+
+/// Calls visit(a, b) for each edge of the closed curve.
+template <class Visit>
+void for_each_edge(const Contour& contour, Visit visit) {
+  const auto& points = contour.points_mm;
+  for (std::size_t i = 0, previous = points.size() - 1; i < points.size(); previous = i++)
+    visit(points[previous], points[i]);
+}
+
+double squared_distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  const Eigen::Vector2d ab = b - a;
+  const double length2 = ab.squaredNorm();
+  const double t = length2 > 0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
+  return (a + t * ab - p).squaredNorm();
+}
+
+bool encloses(const Contour& contour, const Eigen::Vector2d& p) {
+  bool inside = false;
+  for_each_edge(contour, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    if ((a.y() > p.y()) == (b.y() > p.y())) return;
+    const double crossing_x = a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    if (p.x() < crossing_x) inside = !inside;
+  });
+  return inside;
+}
+
+}  // namespace
+
+double signed_area_mm2(const Contour& contour) {
+  double twice_area = 0;
+  for_each_edge(contour, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    twice_area += a.x() * b.y() - a.y() * b.x();
+  });
+  return twice_area / 2;
+}
+
+double perimeter_mm(const Contour& contour) {
+  double length = 0;
+  for_each_edge(contour, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { length += (b - a).norm(); });
+  return length;
+}
+
+bool is_inside(const std::vector<Contour>& contours, const Eigen::Vector2d& point_in_slice_mm) {
+  bool inside = false;
+  for (const Contour& contour : contours)
+    if (encloses(contour, point_in_slice_mm)) inside = !inside;
+  return inside;
+}
+
+double signed_distance_mm(const std::vector<Contour>& contours, const Eigen::Vector2d& point_in_slice_mm) {
+  double nearest2 = std::numeric_limits<double>::infinity();
+  for (const Contour& contour : contours)
+    for_each_edge(contour, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+      nearest2 = std::min(nearest2, squared_distance_to_segment(point_in_slice_mm, a, b));
+    });
+  const double distance = std::sqrt(nearest2);
+  return is_inside(contours, point_in_slice_mm) ? distance : -distance;
+}
+
+void orient_by_nesting(std::vector<Contour>& contours) {
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    int depth = 0;
+    for (std::size_t j = 0; j < contours.size(); ++j)
+      if (j != i && encloses(contours[j], contours[i].points_mm.front())) ++depth;
+    contours[i].depth = depth;
+    const bool is_outer = depth % 2 == 0;
+    if ((signed_area_mm2(contours[i]) > 0) != is_outer)
+      std::reverse(contours[i].points_mm.begin(), contours[i].points_mm.end());
+  }
+}
+
+std::size_t point_count(const ContourStack& stack) {
+  std::size_t count = 0;
+  for (const ContourSlice& slice : stack.slices)
+    for (const Contour& contour : slice.contours) count += contour.points_mm.size();
+  return count;
+}
+
+}  // namespace isostack

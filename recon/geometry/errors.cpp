@@ -1,0 +1,10 @@
+#include "recon/geometry/errors.h"
+
+namespace isostack {
+
+Error::Error(const std::string& where, const std::string& problem, const std::string& remedy)
+    : std::runtime_error(where + ": " + problem + "; " + remedy + ".") {}
+
+Cancelled::Cancelled() : std::runtime_error("cancelled") {}
+
+}  // namespace isostack

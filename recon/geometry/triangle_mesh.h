@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace isostack {
+
+/// Indexed triangles in world LPS mm; corners run counter-clockwise seen from outside, so that
+/// face normals point outwards. Normals are empty or one unit vector per vertex, outwards.
+struct TriangleMesh {
+  std::string name;
+  std::vector<Eigen::Vector3d> vertices_mm;
+  std::vector<Eigen::Vector3i> triangles;
+  std::vector<Eigen::Vector3d> normals;
+};
+
+}  // namespace isostack
