@@ -1,6 +1,5 @@
 #include "recon/geometry/slice_pose.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 #include "recon/geometry/errors.h"
@@ -16,9 +15,7 @@ Eigen::Vector2d SlicePose::world_to_slice(const Eigen::Vector3d& point_in_world_
   return {offset_mm.dot(x_axis), offset_mm.dot(y_axis)};
 }
 
-Eigen::Vector2d SlicePose::pixel_to_slice(const Eigen::Vector2d& pixel) const {
-  return pixel.cwiseProduct(spacing_mm);
-}
+Eigen::Vector2d SlicePose::pixel_to_slice(const Eigen::Vector2d& pixel) const { return pixel.cwiseProduct(spacing_mm); }
 
 Eigen::Vector2d SlicePose::slice_to_pixel(const Eigen::Vector2d& point_in_slice_mm) const {
   return point_in_slice_mm.cwiseQuotient(spacing_mm);
@@ -33,8 +30,8 @@ double SlicePose::signed_distance_mm(const Eigen::Vector3d& point_in_world_mm) c
 }
 
 SlicePose checked_pose(SlicePose pose, const std::string& where) {
-  const bool finite = pose.origin_mm.allFinite() && pose.x_axis.allFinite() && pose.y_axis.allFinite() &&
-                      pose.spacing_mm.allFinite();
+  const bool finite =
+      pose.origin_mm.allFinite() && pose.x_axis.allFinite() && pose.y_axis.allFinite() && pose.spacing_mm.allFinite();
   if (!finite)
     throw GeometryError(where, "the position or orientation has a value that is not a number", "repair the header");
   if (!(pose.spacing_mm.minCoeff() > 0))

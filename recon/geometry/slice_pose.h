@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <string>
 
 namespace isostack {
@@ -10,9 +10,9 @@ namespace isostack {
 /// Three frames: *pixel* (x = column index, y = row index, centres at integers),
 /// *slice* (mm from the centre of pixel (0, 0) along x_axis and y_axis) and *world*.
 struct SlicePose {
-  Eigen::Vector3d origin_mm = Eigen::Vector3d::Zero();  ///< world position of the centre of pixel (0, 0)
-  Eigen::Vector3d x_axis = Eigen::Vector3d::UnitX();    ///< unit direction of growing column index
-  Eigen::Vector3d y_axis = Eigen::Vector3d::UnitY();    ///< unit direction of growing row index
+  Eigen::Vector3d origin_mm = Eigen::Vector3d::Zero();   ///< world position of the centre of pixel (0, 0)
+  Eigen::Vector3d x_axis = Eigen::Vector3d::UnitX();     ///< unit direction of growing column index
+  Eigen::Vector3d y_axis = Eigen::Vector3d::UnitY();     ///< unit direction of growing row index
   Eigen::Vector2d spacing_mm = Eigen::Vector2d::Ones();  ///< pixel distance along x_axis and y_axis
 
   Eigen::Vector3d normal() const { return x_axis.cross(y_axis); }

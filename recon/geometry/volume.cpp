@@ -48,8 +48,8 @@ Grid grid_of(const SliceStack& stack) {
   if (stack.slices.size() < 2)
     throw GeometryError(stack.name, "fewer than two slices do not make a grid", "give a whole series or a volume");
   const Slice& first = stack.slices.front();
-  const Eigen::Vector3d step_mm = (stack.slices.back().pose.origin_mm - first.pose.origin_mm) /
-                                  static_cast<double>(stack.slices.size() - 1);
+  const Eigen::Vector3d step_mm =
+      (stack.slices.back().pose.origin_mm - first.pose.origin_mm) / static_cast<double>(stack.slices.size() - 1);
   for (std::size_t k = 0; k < stack.slices.size(); ++k) {
     const Slice& slice = stack.slices[k];
     require_same_raster(first, slice);

@@ -8,7 +8,14 @@ namespace isostack {
 
 namespace {
 
-double integer_power(double distance, int power) { return std::pow(distance, static_cast<double>(power)); }
+/// distance^power without std::pow: these run once per pair of constraints.
+double integer_power(double distance, int power) {
+  double result = power % 2 == 0 ? 1.0 : distance;
+  const double square = distance * distance;
+  for (int p = power % 2 == 0 ? 0 : 1; p < power; p += 2) result *= square;
+  for (int p = power % 2 == 0 ? 0 : 1; p > power; p -= 2) result /= square;
+  return result;
+}
 
 }  // namespace
 
@@ -54,8 +61,9 @@ Kernel triharmonic() { return {.power = 3, .logarithmic = false, .tail_degree = 
 Kernel duchon(int dimension, int order) {
   const int power = 2 * order - dimension;
   if (power <= 0)
-    throw InputError("kernel", "Duchon's spline of order " + std::to_string(order) + " does not exist in " +
-                                   std::to_string(dimension) + " dimensions",
+    throw InputError("kernel",
+                     "Duchon's spline of order " + std::to_string(order) + " does not exist in " +
+                         std::to_string(dimension) + " dimensions",
                      "choose an order above half the dimension");
   return {.power = power, .logarithmic = power % 2 == 0, .tail_degree = order - 1};
 }

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "recon/geometry/contour.h"
+
+namespace isostack {
+
+/// A contour point kept as a boundary constraint.
+struct ContourSample {
+  std::size_t slice = 0;  ///< index into the stack
+  Eigen::Vector2d point_in_slice_mm;
+  Eigen::Vector2d inward;  ///< unit normal in slice coordinates, towards the organ
+};
+
+struct ContourSamplingOptions {
+  std::size_t max_samples = 4000;
+  double min_spacing_pixels = 0.75;  ///< nearer contour points say nothing new
+};
+
+/// Contour points, thinned to at most max_samples: dense where a contour curves (spacing grows
+/// with the square root of its radius, so that chords deviate equally), at least eight (or all)
+/// points on every contour. All samples are points of the given contours.
+std::vector<ContourSample> sample_contours(const ContourStack& stack, const ContourSamplingOptions& options);
+
+}  // namespace isostack

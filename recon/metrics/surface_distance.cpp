@@ -1,0 +1,104 @@
+#include "recon/metrics/surface_distance.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <unsupported/Eigen/BVH>
+
+#include "recon/geometry/errors.h"
+#include "recon/metrics/point_triangle.h"
+
+namespace isostack {
+
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+using Tree = Eigen::KdBVH<double, 3, int>;
+
+Triangle corners_of(const TriangleMesh& mesh, int triangle) {
+  const Eigen::Vector3i& t = mesh.triangles[static_cast<std::size_t>(triangle)];
+  const auto& v = mesh.vertices_mm;
+  return {v[static_cast<std::size_t>(t[0])], v[static_cast<std::size_t>(t[1])], v[static_cast<std::size_t>(t[2])]};
+}
+
+/// What Eigen's tree asks for: squared distances from the point to boxes and triangles.
+struct ClosestTriangle {
+  using Scalar = double;
+  const TriangleMesh& mesh;
+  Eigen::Vector3d point;
+  double minimumOnVolume(const Box& box) const { return box.squaredExteriorDistance(point); }
+  double minimumOnObject(int triangle) const {
+    return (closest_point_on_triangle(corners_of(mesh, triangle), point) - point).squaredNorm();
+  }
+};
+
+void require_triangles(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty())
+    throw InputError(mesh.name.empty() ? "mesh" : mesh.name, "the mesh has no triangles", "give a surface");
+}
+
+double quantile(std::vector<double> values, double fraction) {
+  const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[static_cast<std::size_t>(rank)];
+}
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+std::vector<double> distances_to_mesh_mm(const std::vector<Eigen::Vector3d>& points_mm, const TriangleMesh& mesh) {
+  require_triangles(mesh);
+  std::vector<int> triangles(mesh.triangles.size());
+  std::iota(triangles.begin(), triangles.end(), 0);
+  std::vector<Box> boxes(triangles.size());
+  for (std::size_t n = 0; n < boxes.size(); ++n)
+    for (const int v : mesh.triangles[n]) boxes[n].extend(mesh.vertices_mm[static_cast<std::size_t>(v)]);
+  const Tree tree(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
+  std::vector<double> distances(points_mm.size());
+  tbb::parallel_for(std::size_t{0}, points_mm.size(), [&](std::size_t i) {
+    ClosestTriangle query{mesh, points_mm[i]};
+    distances[i] = std::sqrt(Eigen::BVMinimize(tree, query));
+  });
+  return distances;
+}
+
+std::vector<Eigen::Vector3d> sample_surface(const TriangleMesh& mesh, std::size_t count, std::uint64_t seed) {
+  require_triangles(mesh);
+  std::vector<double> cumulative_area(mesh.triangles.size());
+  double total = 0;
+  for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
+    const Triangle t = corners_of(mesh, static_cast<int>(n));
+    cumulative_area[n] = total += (t[1] - t[0]).cross(t[2] - t[0]).norm();
+  }
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Eigen::Vector3d> samples(count);
+  for (Eigen::Vector3d& sample : samples) {
+    const auto chosen = std::lower_bound(cumulative_area.begin(), cumulative_area.end() - 1, uniform(random) * total);
+    const Triangle t = corners_of(mesh, static_cast<int>(chosen - cumulative_area.begin()));
+    double u = uniform(random), v = uniform(random);
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    sample = t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
+  }
+  return samples;
+}
+
+SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b, const SurfaceDistanceOptions& options) {
+  const auto a_to_b = distances_to_mesh_mm(sample_surface(a, options.samples, options.seed), b);
+  const auto b_to_a = distances_to_mesh_mm(sample_surface(b, options.samples, options.seed + 1), a);
+  SurfaceDistance result;
+  result.mean_mm = (mean(a_to_b) + mean(b_to_a)) / 2;
+  result.percentile95_mm = std::max(quantile(a_to_b, 0.95), quantile(b_to_a, 0.95));
+  result.largest_mm = std::max(quantile(a_to_b, 1.0), quantile(b_to_a, 1.0));
+  return result;
+}
+
+}  // namespace isostack

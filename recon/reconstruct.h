@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "recon/constraints/constraint_set.h"
+#include "recon/geometry/contour.h"
+#include "recon/geometry/progress.h"
+#include "recon/geometry/slice.h"
+#include "recon/geometry/triangle_mesh.h"
+#include "recon/kernels/kernel.h"
+
+namespace isostack {
+
+struct ReconstructOptions {
+  Kernel kernel = triharmonic();
+  double smoothing = 0;                  ///< ρ of every constraint; 0 interpolates
+  double offset_pixels = 1;              ///< distance of the partners inside and outside the contour
+  int solves = 3;                        ///< solves that settle the oblique cuts; 1 leaves them uncorrected
+  std::size_t max_constraints = 12'000;  ///< contours are thinned to what the dense solver can hold
+  double resolution_mm = 0;  ///< cell size of the surface; 0: the pixel size, at least 1/400 of the diagonal
+  std::size_t memory_limit_bytes = std::size_t{8} << 30;
+};
+
+/// What was done, for reports.
+struct ReconstructReport {
+  std::size_t contour_points = 0;        ///< on all contours
+  std::size_t boundary_constraints = 0;  ///< of those, kept
+  std::size_t constraints = 0;
+  std::size_t solver_bytes = 0;  ///< predicted
+  int solves = 0;
+  double largest_residual = 0;  ///< |f − value| over all constraints after the last solve (smoothing 0)
+  double resolution_mm = 0;
+  std::size_t contour_points_without_surface = 0;
+  bool cut_by_bounds = false;
+  double constraint_seconds = 0, solve_seconds = 0, surface_seconds = 0;
+};
+
+struct Reconstruction {
+  TriangleMesh surface;
+  std::vector<Eigen::Vector3d> kept_points_mm;  ///< the contour points that became boundary constraints
+  ReconstructReport report;
+};
+
+/// One closed surface through all contours (Turk & O'Brien 1999, §6), with signed-distance
+/// constraints in mm. Throws GeometryError for fewer than two slices with contours, SolveError
+/// when the solve fails or does not fit.
+Reconstruction reconstruct(const ContourStack& contours, const ReconstructOptions& options,
+                           const Progress& progress = {});
+
+/// The paper's own recipe (§4.1, §6), the preset `turk-obrien`: constraints from the crossings
+/// between 4-neighbours of every image, value 1 at one pixel inwards along the gradient.
+Reconstruction reconstruct_turk_obrien(const SliceStack& images, double level, const ReconstructOptions& options,
+                                       const Progress& progress = {});
+
+}  // namespace isostack

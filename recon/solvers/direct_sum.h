@@ -1,0 +1,19 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "recon/kernels/kernel.h"
+
+namespace isostack {
+
+/// Σ_j weights_j φ(|x − c_j|) by summing every term: the reference for the fast sums, and the
+/// right tool for small sizes. Centres are n × N and targets n × M, n = 1…6.
+/// SIMD is chosen at run time; results do not depend on the number of threads.
+Eigen::VectorXd direct_sum(const Kernel& kernel, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
+                           const Eigen::MatrixXd& targets);
+
+/// Gradient of the same sum at the targets: n × M.
+Eigen::MatrixXd direct_sum_gradient(const Kernel& kernel, const Eigen::MatrixXd& centres,
+                                    const Eigen::VectorXd& weights, const Eigen::MatrixXd& targets);
+
+}  // namespace isostack
