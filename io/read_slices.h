@@ -11,8 +11,11 @@
 namespace isostack {
 
 struct ReadOptions {
-  std::string series;  ///< which DICOM series: its number in `info`, its UID, or the end of its UID; empty: the only one
-  std::optional<Eigen::Vector3d> spacing_mm;  ///< PNG/TIFF stacks, which carry none: column, row, slice distance
+  /// Which DICOM series: its number in `info`, its UID, or the end of its UID; "all": every image
+  /// series, as one scene; empty: the only one.
+  std::string series = {};
+  /// Column, row and slice distance of PNG/TIFF stacks, which carry none.
+  std::optional<Eigen::Vector3d> spacing_mm = std::nullopt;
 };
 
 /// Reads a DICOM folder or file, NIfTI, NRRD, MetaImage or a folder of PNG/TIFF images.

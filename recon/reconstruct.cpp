@@ -9,10 +9,12 @@
 
 #include "recon/constraints/contour_constraints.h"
 #include "recon/constraints/image_constraints.h"
+#include "recon/constraints/plane_check.h"
 #include "recon/geometry/errors.h"
 #include "recon/solvers/dense_solver.h"
 #include "recon/surface/extract_surface.h"
 #include "recon/surface/implicit_function.h"
+#include "recon/surface/stack_bounds.h"
 
 namespace isostack {
 
@@ -39,46 +41,36 @@ DenseSolver make_solver(const ConstraintSet& set, const ReconstructOptions& opti
                      progress);
 }
 
-/// The largest distance between consecutive planes along each slice's normal: how far the surface
-/// may reach beyond the contours.
-double reach_beyond_contours_mm(const std::vector<SlicePose>& poses, const Eigen::AlignedBox3d& contours_box) {
-  double reach = 0.1 * contours_box.diagonal().norm();
-  for (const SlicePose& pose : poses) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const SlicePose& other : poses) {
-      const double distance = std::abs(pose.signed_distance_mm(other.origin_mm));
-      if (distance > 1e-6 && are_parallel(pose, other)) nearest = std::min(nearest, distance);
-    }
-    if (std::isfinite(nearest)) reach = std::max(reach, 1.5 * nearest);
-  }
-  return reach;
-}
-
 struct SurfaceRequest {
   std::vector<SlicePose> poses;
-  double pixel_mm;
+  double pixel_mm = std::numeric_limits<double>::infinity();
   std::vector<Eigen::Vector3d> seeds_mm;
+
+  void add_plane(const SlicePose& pose) {
+    poses.push_back(pose);
+    pixel_mm = std::min(pixel_mm, pose.spacing_mm.minCoeff());
+  }
 };
 
 void extract(const ImplicitFunction& function, const SurfaceRequest& request, const ReconstructOptions& options,
              const Progress& progress, Reconstruction& result) {
   const Stopwatch watch;
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& seed : request.seeds_mm) box.extend(seed);
-  const double reach = reach_beyond_contours_mm(request.poses, box);
+  const auto values = [&](const Eigen::MatrixXd& points) { return function.values(points); };
+  const StackBounds bounds = stack_bounds(request.poses, request.seeds_mm, values);
   ExtractionOptions extraction;
+  const double box_diagonal_mm = bounds.box.diagonal().norm();
   extraction.resolution_mm =
-      options.resolution_mm > 0 ? options.resolution_mm : std::max(request.pixel_mm, box.diagonal().norm() / 400);
-  extraction.bounds =
-      Eigen::AlignedBox3d(box.min() - Eigen::Vector3d::Constant(reach), box.max() + Eigen::Vector3d::Constant(reach));
+      options.resolution_mm > 0 ? options.resolution_mm : std::max(request.pixel_mm, box_diagonal_mm / 600);
+  extraction.bounds = bounds.box;
+  extraction.half_spaces = bounds.half_spaces;
   const ScalarField field{
-      [&](const Eigen::Matrix3Xd& points) { return function.values(points); },
-      [&](const Eigen::Matrix3Xd& points) -> Eigen::Matrix3Xd { return function.gradients(points); }};
+      values, [&](const Eigen::Matrix3Xd& points) -> Eigen::Matrix3Xd { return function.gradients(points); }};
   ExtractedSurface extracted = extract_surface(field, request.seeds_mm, extraction, progress);
   result.surface = std::move(extracted.mesh);
   result.kept_points_mm = request.seeds_mm;
   result.report.resolution_mm = extraction.resolution_mm;
   result.report.contour_points_without_surface = extracted.seeds_without_surface;
+  result.report.open_end = bounds.open_end;
   result.report.cut_by_bounds = extracted.cut_by_bounds;
   result.report.surface_seconds = watch.seconds();
 }
@@ -95,6 +87,47 @@ double largest_residual(const ImplicitFunction& function, const ConstraintSet& s
   return (function.values(set.points) - set.values).cwiseAbs().maxCoeff();
 }
 
+/// Solves for the constraints as they are, then again with the partners' values corrected by the
+/// normals found. One factorisation serves all solves: only values change.
+ImplicitFunction fit(ContourConstraints& built, const ContourStack& contours, const ReconstructOptions& options,
+                     const Progress& progress, ReconstructReport& report) {
+  report.constraints = static_cast<std::size_t>(built.constraints.values.size());
+  report.solver_bytes = DenseSolver::required_bytes(report.constraints);
+  const DenseSolver solver = make_solver(built.constraints, options, progress);
+  const Eigen::MatrixXd boundary = built.constraints.points.leftCols(static_cast<Eigen::Index>(built.samples.size()));
+  const auto solve = [&] {
+    ++report.solves;
+    return ImplicitFunction(options.kernel, built.constraints.points, solver.solve(built.constraints.values));
+  };
+  ImplicitFunction function = solve();
+  for (int done = 1; done < options.solves; ++done) {
+    progress.report("normals", static_cast<double>(done) / options.solves);
+    correct_for_oblique_cuts(function.gradients(boundary), contours, built);
+    function = solve();
+  }
+  if (options.smoothing == 0) report.largest_residual = largest_residual(function, built.constraints);
+  return function;
+}
+
+/// Adds what the planes object to; false when they all agree.
+bool add_disagreements(const ImplicitFunction& function, const ContourStack& contours, const Progress& progress,
+                       ContourConstraints& built, ReconstructReport& report) {
+  progress.report("planes", 0);
+  const PlaneCheck check =
+      check_planes([&](const Eigen::MatrixXd& points) { return function.values(points); }, contours);
+  report.plane_points = check.points;
+  report.plane_points_wrong = check.wrong;
+  std::vector<Eigen::Vector3d> points_mm;
+  std::vector<double> values_mm;
+  for (const Disagreement& d : check.worst) {
+    points_mm.push_back(d.point_mm);
+    values_mm.push_back(d.distance_mm);
+  }
+  add_points(points_mm, values_mm, built);
+  report.plane_constraints += points_mm.size();
+  return !check.worst.empty();
+}
+
 }  // namespace
 
 Reconstruction reconstruct(const ContourStack& contours, const ReconstructOptions& options, const Progress& progress) {
@@ -103,38 +136,26 @@ Reconstruction reconstruct(const ContourStack& contours, const ReconstructOption
       static_cast<std::size_t>(std::count_if(contours.slices.begin(), contours.slices.end(), has_contour)),
       contours.slices.size(), contours.name);
   Reconstruction result;
+  ReconstructReport& report = result.report;
   const Stopwatch constraint_watch;
   ContourConstraints built =
       signed_constraints(contours, sample_contours(contours, {.max_samples = options.max_constraints / 3}),
                          {.offset_pixels = options.offset_pixels});
-  const auto sample_count = static_cast<Eigen::Index>(built.samples.size());
-  result.report.contour_points = point_count(contours);
-  result.report.boundary_constraints = built.samples.size();
-  result.report.constraints = static_cast<std::size_t>(built.constraints.values.size());
-  result.report.solver_bytes = DenseSolver::required_bytes(result.report.constraints);
-  result.report.constraint_seconds = constraint_watch.seconds();
+  report.contour_points = point_count(contours);
+  report.boundary_constraints = built.samples.size();
+  report.constraint_seconds = constraint_watch.seconds();
 
   const Stopwatch solve_watch;
-  const DenseSolver solver = make_solver(built.constraints, options, progress);
-  const Eigen::MatrixXd boundary = built.constraints.points.leftCols(sample_count);
-  const auto solve = [&] {
-    ++result.report.solves;
-    return ImplicitFunction(options.kernel, built.constraints.points, solver.solve(built.constraints.values));
-  };
-  ImplicitFunction function = solve();
-  while (result.report.solves < options.solves) {
-    progress.report("normals", static_cast<double>(result.report.solves) / options.solves);
-    correct_for_oblique_cuts(function.gradients(boundary), contours, built);
-    function = solve();
+  ImplicitFunction function = fit(built, contours, options, progress, report);
+  for (int round = 0; round < options.plane_check_rounds; ++round) {
+    if (!add_disagreements(function, contours, progress, built, report)) break;
+    function = fit(built, contours, options, progress, report);
   }
-  if (options.smoothing == 0) result.report.largest_residual = largest_residual(function, built.constraints);
-  result.report.solve_seconds = solve_watch.seconds();
+  report.solve_seconds = solve_watch.seconds();
 
-  SurfaceRequest request{{}, std::numeric_limits<double>::infinity(), leading_points(built.constraints, sample_count)};
-  for (const ContourSlice& slice : contours.slices) {
-    request.poses.push_back(slice.pose);
-    request.pixel_mm = std::min(request.pixel_mm, slice.pose.spacing_mm.minCoeff());
-  }
+  SurfaceRequest request;
+  request.seeds_mm = leading_points(built.constraints, static_cast<Eigen::Index>(built.samples.size()));
+  for (const ContourSlice& slice : contours.slices) request.add_plane(slice.pose);
   extract(function, request, options, progress, result);
   result.surface.name = contours.name;
   return result;
@@ -160,11 +181,9 @@ Reconstruction reconstruct_turk_obrien(const SliceStack& images, double level, c
   if (options.smoothing == 0) result.report.largest_residual = largest_residual(function, set);
   result.report.solve_seconds = solve_watch.seconds();
 
-  SurfaceRequest request{{}, std::numeric_limits<double>::infinity(), leading_points(set, pairs)};
-  for (const Slice& slice : images.slices) {
-    request.poses.push_back(slice.pose);
-    request.pixel_mm = std::min(request.pixel_mm, slice.pose.spacing_mm.minCoeff());
-  }
+  SurfaceRequest request;
+  request.seeds_mm = leading_points(set, pairs);
+  for (const Slice& slice : images.slices) request.add_plane(slice.pose);
   extract(function, request, options, progress, result);
   result.surface.name = images.name;
   return result;

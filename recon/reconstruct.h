@@ -15,11 +15,12 @@ namespace isostack {
 
 struct ReconstructOptions {
   Kernel kernel = triharmonic();
-  double smoothing = 0;                  ///< ρ of every constraint; 0 interpolates
-  double offset_pixels = 1;              ///< distance of the partners inside and outside the contour
-  int solves = 3;                        ///< solves that settle the oblique cuts; 1 leaves them uncorrected
-  std::size_t max_constraints = 12'000;  ///< contours are thinned to what the dense solver can hold
-  double resolution_mm = 0;  ///< cell size of the surface; 0: the pixel size, at least 1/400 of the diagonal
+  double smoothing = 0;                 ///< ρ of every constraint; 0 interpolates
+  double offset_pixels = 1;             ///< distance of the partners inside and outside the contour
+  int solves = 3;                       ///< solves that settle the oblique cuts; 1 leaves them uncorrected
+  int plane_check_rounds = 3;           ///< repairs at most, after comparing f with the segmentation on every plane
+  std::size_t max_constraints = 9'000;  ///< contours are thinned to what the dense solver can hold
+  double resolution_mm = 0;             ///< cell size of the surface; 0: the pixel size, at least 1/400 of the diagonal
   std::size_t memory_limit_bytes = std::size_t{8} << 30;
 };
 
@@ -33,7 +34,11 @@ struct ReconstructReport {
   double largest_residual = 0;  ///< |f − value| over all constraints after the last solve (smoothing 0)
   double resolution_mm = 0;
   std::size_t contour_points_without_surface = 0;
-  bool cut_by_bounds = false;
+  std::size_t plane_points = 0;        ///< lattice points compared with the segmentation, all planes together
+  std::size_t plane_points_wrong = 0;  ///< of those, more than a pixel on the wrong side at the last check
+  std::size_t plane_constraints = 0;   ///< constraints added for them
+  bool open_end = false;               ///< the organ is cut by the end of the stack: the surface is flat there
+  bool cut_by_bounds = false;          ///< flat there, or cut at the box round the contours
   double constraint_seconds = 0, solve_seconds = 0, surface_seconds = 0;
 };
 

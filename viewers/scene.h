@@ -11,10 +11,10 @@ namespace isostack {
 
 /// What there is to look at, all in world LPS mm.
 struct Scene {
-  std::string title;
-  std::vector<TriangleMesh> surfaces;
-  std::vector<ContourStack> contours;
-  std::vector<Slice> slices;
+  std::string title = {};
+  std::vector<TriangleMesh> surfaces = {};
+  std::vector<ContourStack> contours = {};
+  std::vector<Slice> slices = {};
 };
 
 }  // namespace isostack

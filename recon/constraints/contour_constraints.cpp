@@ -85,4 +85,16 @@ double correct_for_oblique_cuts(const Eigen::Matrix3Xd& gradients_at_samples, co
   return largest_change;
 }
 
+void add_points(const std::vector<Eigen::Vector3d>& points_mm, const std::vector<double>& values_mm,
+                ContourConstraints& constraints) {
+  ConstraintSet& set = constraints.constraints;
+  const Eigen::Index before = set.values.size(), added = static_cast<Eigen::Index>(points_mm.size());
+  set.points.conservativeResize(3, before + added);
+  set.values.conservativeResize(before + added);
+  for (Eigen::Index i = 0; i < added; ++i) {
+    set.points.col(before + i) = points_mm[static_cast<std::size_t>(i)];
+    set.values[before + i] = values_mm[static_cast<std::size_t>(i)];
+  }
+}
+
 }  // namespace isostack

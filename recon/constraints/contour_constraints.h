@@ -40,4 +40,8 @@ ContourConstraints signed_constraints(const ContourStack& stack, const std::vect
 double correct_for_oblique_cuts(const Eigen::Matrix3Xd& gradients_at_samples, const ContourStack& stack,
                                 ContourConstraints& constraints);
 
+/// Adds points at which f shall have a given value, without partners.
+void add_points(const std::vector<Eigen::Vector3d>& points_mm, const std::vector<double>& values_mm,
+                ContourConstraints& constraints);
+
 }  // namespace isostack

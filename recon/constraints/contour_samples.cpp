@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "recon/geometry/errors.h"
 
 namespace isostack {
 
@@ -59,33 +62,45 @@ MeasuredContour measured(const Contour& contour, std::size_t slice, double pixel
   return result;
 }
 
-/// Samples per mm at point i when chords may deviate by tolerance_mm: spacing² = 8 · radius · tolerance.
-double density(const MeasuredContour& contour, std::size_t i, double tolerance_mm, double min_spacing_mm) {
-  return 1 / std::max(std::sqrt(8 * contour.radius_mm[i] * tolerance_mm), min_spacing_mm);
+/// Thinning of all contours together.
+struct Thinning {
+  double tolerance_mm = 0;
+  double min_spacing_pixels = 0;
+  std::size_t least_per_contour = 8;
+};
+
+/// Samples per mm at point i when chords may deviate by the tolerance: spacing² = 8 · radius · tolerance.
+double density(const MeasuredContour& contour, std::size_t i, const Thinning& thinning) {
+  return 1 / std::max(std::sqrt(8 * contour.radius_mm[i] * thinning.tolerance_mm),
+                      thinning.min_spacing_pixels * contour.pixel_mm);
 }
 
-std::size_t wanted_samples(const MeasuredContour& contour, double tolerance_mm, double min_spacing_mm) {
+std::size_t wanted_samples(const MeasuredContour& contour, const Thinning& thinning) {
   double count = 0;
-  for (std::size_t i = 0; i < contour.step_mm.size(); ++i)
-    count += contour.step_mm[i] * density(contour, i, tolerance_mm, min_spacing_mm);
-  return std::clamp(static_cast<std::size_t>(std::ceil(count)), std::min<std::size_t>(8, contour.step_mm.size()),
-                    contour.step_mm.size());
+  for (std::size_t i = 0; i < contour.step_mm.size(); ++i) count += contour.step_mm[i] * density(contour, i, thinning);
+  return std::clamp(static_cast<std::size_t>(std::ceil(count)),
+                    std::min(thinning.least_per_contour, contour.step_mm.size()), contour.step_mm.size());
 }
 
-void append_samples(const MeasuredContour& contour, double tolerance_mm, double min_spacing_mm,
-                    std::vector<ContourSample>& samples) {
+void append_samples(const MeasuredContour& contour, const Thinning& thinning, std::vector<ContourSample>& samples) {
   const std::size_t n = contour.step_mm.size();
   double total = 0;
-  for (std::size_t i = 0; i < n; ++i) total += contour.step_mm[i] * density(contour, i, tolerance_mm, min_spacing_mm);
-  const double per_sample = total / static_cast<double>(wanted_samples(contour, tolerance_mm, min_spacing_mm));
+  for (std::size_t i = 0; i < n; ++i) total += contour.step_mm[i] * density(contour, i, thinning);
+  const double per_sample = total / static_cast<double>(wanted_samples(contour, thinning));
   double credit = per_sample;  // the first point is always kept
   for (std::size_t i = 0; i < n; ++i) {
     if (credit >= per_sample * (1 - 1e-9)) {
       samples.push_back({contour.slice, contour.contour->points_mm[i], contour.inward[i]});
       credit -= per_sample;
     }
-    credit += contour.step_mm[i] * density(contour, i, tolerance_mm, min_spacing_mm);
+    credit += contour.step_mm[i] * density(contour, i, thinning);
   }
+}
+
+std::size_t total_samples(const std::vector<MeasuredContour>& contours, const Thinning& thinning) {
+  std::size_t count = 0;
+  for (const MeasuredContour& contour : contours) count += wanted_samples(contour, thinning);
+  return count;
 }
 
 }  // namespace
@@ -96,24 +111,24 @@ std::vector<ContourSample> sample_contours(const ContourStack& stack, const Cont
     for (const Contour& contour : stack.slices[s].contours)
       if (contour.points_mm.size() >= 3)
         contours.push_back(measured(contour, s, stack.slices[s].pose.spacing_mm.minCoeff()));
+  if (contours.size() * 3 > options.max_samples)
+    throw SolveError(stack.name.empty() ? "contours" : stack.name,
+                     std::to_string(contours.size()) + " contours do not fit into " +
+                         std::to_string(options.max_samples) + " boundary constraints",
+                     "raise --max-constraints, or drop small parts with --largest or --gaussian");
 
-  const auto spacing = [&](const MeasuredContour& c) { return options.min_spacing_pixels * c.pixel_mm; };
-  const auto total = [&](double tolerance_mm) {
-    std::size_t count = 0;
-    for (const MeasuredContour& c : contours) count += wanted_samples(c, tolerance_mm, spacing(c));
-    return count;
-  };
-  double tolerance_mm = 0;
-  if (total(0) > options.max_samples) {
-    double low = 1e-6, high = 1e3;  // bisection on a logarithmic scale
+  Thinning thinning{.tolerance_mm = 0, .min_spacing_pixels = options.min_spacing_pixels};
+  if (total_samples(contours, thinning) > options.max_samples) {
+    thinning.least_per_contour = std::clamp<std::size_t>(options.max_samples / (2 * contours.size()), 3, 8);
+    double low = 1e-6, high = 1e6;  // mm; bisection on a logarithmic scale
     for (int step = 0; step < 60; ++step) {
-      tolerance_mm = std::sqrt(low * high);
-      (total(tolerance_mm) > options.max_samples ? low : high) = tolerance_mm;
+      thinning.tolerance_mm = std::sqrt(low * high);
+      (total_samples(contours, thinning) > options.max_samples ? low : high) = thinning.tolerance_mm;
     }
-    tolerance_mm = high;
+    thinning.tolerance_mm = high;
   }
   std::vector<ContourSample> samples;
-  for (const MeasuredContour& c : contours) append_samples(c, tolerance_mm, spacing(c), samples);
+  for (const MeasuredContour& contour : contours) append_samples(contour, thinning, samples);
   return samples;
 }
 

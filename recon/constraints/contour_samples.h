@@ -21,8 +21,9 @@ struct ContourSamplingOptions {
 };
 
 /// Contour points, thinned to at most max_samples: dense where a contour curves (spacing grows
-/// with the square root of its radius, so that chords deviate equally), at least eight (or all)
-/// points on every contour. All samples are points of the given contours.
+/// with the square root of its radius, so that chords deviate equally), some points on every
+/// contour. All samples are points of the given contours. Throws SolveError when there are more
+/// contours than max_samples / 3.
 std::vector<ContourSample> sample_contours(const ContourStack& stack, const ContourSamplingOptions& options);
 
 }  // namespace isostack

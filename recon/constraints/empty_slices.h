@@ -18,4 +18,7 @@ struct OutsidePoint {
 /// Only parallel neighbours are considered.
 std::vector<OutsidePoint> points_in_empty_slices(const ContourStack& stack);
 
+/// Half the distance from a slice to the nearest parallel one with contours; four pixels if there is none.
+double half_gap_to_contours_mm(const ContourStack& stack, const ContourSlice& slice);
+
 }  // namespace isostack

@@ -16,16 +16,20 @@ namespace {
 
 using Key = Lattice::Key;
 
-/// min(f, distance to the box): its zero set is closed wherever f's leaves the box.
-ScalarField cut_to_box(const ScalarField& field, const Eigen::AlignedBox3d& box, bool& was_cut) {
+/// Distance to the nearest of the bounds, positive within all of them.
+double depth_within_bounds_mm(const ExtractionOptions& options, const Eigen::Vector3d& p) {
+  double depth = std::min((p - options.bounds.min()).minCoeff(), (options.bounds.max() - p).minCoeff());
+  for (const auto& half_space : options.half_spaces) depth = std::min(depth, half_space.signedDistance(p));
+  return depth;
+}
+
+/// min(f, depth within the bounds): its zero set is closed wherever f's leaves the bounds.
+ScalarField cut_to_bounds(const ScalarField& field, const ExtractionOptions& options, bool& was_cut) {
   ScalarField cut;
-  const auto depth_in_box = [box](const Eigen::Vector3d& p) {
-    return std::min((p - box.min()).minCoeff(), (box.max() - p).minCoeff());
-  };
-  cut.values = [&field, depth_in_box, &was_cut](const Eigen::Matrix3Xd& points) {
+  cut.values = [&field, &options, &was_cut](const Eigen::Matrix3Xd& points) {
     Eigen::VectorXd values = field.values(points);
     for (Eigen::Index i = 0; i < values.size(); ++i) {
-      const double depth = depth_in_box(points.col(i));
+      const double depth = depth_within_bounds_mm(options, points.col(i));
       was_cut = was_cut || (depth < 0 && values[i] >= 0);
       values[i] = std::min(values[i], depth);
     }
@@ -166,8 +170,8 @@ std::size_t count_untouched(const Lattice& lattice, const std::vector<Eigen::Vec
 ExtractedSurface extract_surface(const ScalarField& field, const std::vector<Eigen::Vector3d>& seeds_mm,
                                  const ExtractionOptions& options, const Progress& progress) {
   ExtractedSurface result;
-  bool box_reached = false;
-  const ScalarField cut_field = cut_to_box(field, options.bounds, box_reached);
+  bool bounds_reached = false;
+  const ScalarField cut_field = cut_to_bounds(field, options, bounds_reached);
   Lattice lattice(options.bounds, options.resolution_mm);
   const std::vector<Key> crossed = follow_surface(lattice, cut_field, seeds_mm, progress);
   if (crossed.empty())
@@ -179,7 +183,7 @@ ExtractedSurface extract_surface(const ScalarField& field, const std::vector<Eig
   progress.report("surface", 0.85);
   result.mesh = builder.finish(cut_field, options.vertex_tolerance);
   result.seeds_without_surface = count_untouched(lattice, seeds_mm, crossed);
-  result.cut_by_bounds = box_reached;
+  result.cut_by_bounds = bounds_reached;
   progress.report("surface", 1.0);
   return result;
 }

@@ -11,8 +11,9 @@
 namespace isostack {
 
 struct ExtractionOptions {
-  double resolution_mm = 1;        ///< edge of the cells that are visited
-  Eigen::AlignedBox3d bounds;      ///< the surface is cut off, and closed, at this box
+  double resolution_mm = 1;                               ///< edge of the cells that are visited
+  Eigen::AlignedBox3d bounds;                             ///< the surface is cut off, and closed, at this box
+  std::vector<Eigen::Hyperplane<double, 3>> half_spaces;  ///< and where one of these is negative
   double vertex_tolerance = 1e-4;  ///< how far a vertex may be from f = 0 along its edge, in cells
 };
 

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/commands.h"
+#include "io/inspect.h"
+
+namespace isostack::cli {
+
+namespace {
+
+nlohmann::json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+nlohmann::json to_json(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
+
+nlohmann::json image_json(const SeriesSummary& s) {
+  nlohmann::json entry = {{"slices", s.slice_count},
+                          {"columns", s.columns},
+                          {"rows", s.rows},
+                          {"smallest_spacing_mm", to_json(s.smallest_spacing_mm)},
+                          {"largest_spacing_mm", to_json(s.largest_spacing_mm)},
+                          {"row_direction", to_json(s.row_direction)},
+                          {"column_direction", to_json(s.column_direction)},
+                          {"orientation", s.orientation},
+                          {"orientations", s.orientation_count},
+                          {"tilt_deg", s.tilt_deg},
+                          {"extent_mm", to_json(s.extent_mm)},
+                          {"value_type", s.value_type}};
+  if (s.gaps)
+    entry["gaps_mm"] = {
+        {"smallest", s.gaps->smallest_mm}, {"median", s.gaps->median_mm}, {"largest", s.gaps->largest_mm}};
+  return entry;
+}
+
+nlohmann::json to_json(const SeriesSummary& s) {
+  nlohmann::json entry = {{"number", s.number},     {"kind", s.kind},         {"name", s.name},
+                          {"modality", s.modality}, {"encoding", s.encoding}, {"series_uid", s.series_uid},
+                          {"warnings", s.warnings}};
+  if (s.slice_count > 0) entry.update(image_json(s));
+  if (s.vertex_count > 0) entry.update({{"vertices", s.vertex_count}, {"triangles", s.triangle_count}});
+  if (s.contour_count > 0) entry.update({{"contours", s.contour_count}, {"points", s.point_count}});
+  if (s.vertex_count > 0 || s.contour_count > 0)
+    entry.update({{"lower_mm", to_json(s.lower_mm)}, {"upper_mm", to_json(s.upper_mm)}});
+  return entry;
+}
+
+std::string to_text(const SeriesSummary& s) {
+  std::string text = s.number > 0 ? fmt::format("{}. ", s.number) : "";
+  text += s.kind + (s.modality.empty() ? "" : " " + s.modality) + (s.name.empty() ? "" : " " + s.name) + "\n";
+  if (!s.series_uid.empty()) text += fmt::format("   series       {}\n", s.series_uid);
+  if (!s.encoding.empty())
+    text += fmt::format("   encoding     {}{}\n", s.encoding, s.value_type.empty() ? "" : ", " + s.value_type);
+  if (s.slice_count > 0) {
+    text += fmt::format("   slices       {} of {} x {}, pixels {:.4g} x {:.4g} mm\n", s.slice_count, s.columns, s.rows,
+                        s.smallest_spacing_mm.x(), s.smallest_spacing_mm.y());
+    if (s.gaps)
+      text += fmt::format("   gaps         {:.3f} to {:.3f} mm, median {:.3f}\n", s.gaps->smallest_mm,
+                          s.gaps->largest_mm, s.gaps->median_mm);
+    text += fmt::format("   orientation  {}, tilt {:.1f} degrees, extent {:.1f} x {:.1f} x {:.1f} mm\n", s.orientation,
+                        s.tilt_deg, s.extent_mm.x(), s.extent_mm.y(), s.extent_mm.z());
+  }
+  if (s.vertex_count > 0)
+    text += fmt::format("   surface      {} vertices, {} triangles\n", s.vertex_count, s.triangle_count);
+  if (s.contour_count > 0) text += fmt::format("   contours     {} with {} points\n", s.contour_count, s.point_count);
+  if (s.vertex_count > 0 || s.contour_count > 0)
+    text += fmt::format("   bounds       ({:.1f}, {:.1f}, {:.1f}) to ({:.1f}, {:.1f}, {:.1f}) mm LPS\n", s.lower_mm.x(),
+                        s.lower_mm.y(), s.lower_mm.z(), s.upper_mm.x(), s.upper_mm.y(), s.upper_mm.z());
+  for (const std::string& warning : s.warnings) text += "   warning: " + warning + "\n";
+  return text;
+}
+
+void run_info(const std::vector<std::filesystem::path>& paths, Session& session) {
+  for (const std::filesystem::path& path : paths) {
+    nlohmann::json& entry = session.result["inputs"].emplace_back();
+    entry["path"] = path.string();
+    session.text += path.string() + "\n";
+    for (const SeriesSummary& series : inspect(path)) {
+      entry["series"].push_back(to_json(series));
+      session.text += to_text(series);
+    }
+  }
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Session& session) {
+  auto paths = std::make_shared<std::vector<std::filesystem::path>>();
+  CLI::App* command = app.add_subcommand("info", "What is there: series, geometry, spacing, problems");
+  command->add_option("PATH", *paths, "Folders and files")->required();
+  command->callback([paths, &session] { session.run = [paths, &session] { run_info(*paths, session); }; });
+}
+
+}  // namespace isostack::cli

@@ -1,0 +1,154 @@
+#include "cli/input_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+
+#include "io/contour_files.h"
+#include "io/formats.h"
+#include "recon/geometry/errors.h"
+
+namespace isostack::cli {
+
+ReadOptions InputOptions::read_options() const {
+  ReadOptions options{.series = series, .spacing_mm = std::nullopt};
+  if (!spacing_mm.empty()) options.spacing_mm = Eigen::Vector3d(spacing_mm[0], spacing_mm[1], spacing_mm[2]);
+  return options;
+}
+
+void add_reading_options(CLI::App& command, InputOptions& options) {
+  command.add_option("IN", options.paths, "DICOM folder or file, NIfTI, NRRD, MetaImage, image folder, or contours")
+      ->required();
+  command.add_option("--series", options.series, "Which DICOM series of a folder: its number in `info`, or its UID");
+  command.add_option("--spacing", options.spacing_mm, "Column, row and slice distance in mm of a PNG or TIFF stack")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::PositiveNumber)
+      ->type_name("X,Y,Z");
+}
+
+void add_slice_choice(CLI::App& command, InputOptions& options) {
+  auto* every = command.add_option("--every", options.every, "Use every K-th slice only")->check(CLI::PositiveNumber);
+  command.add_option("--slices", options.slices, "Use these slices only (numbers from 0)")
+      ->delimiter(',')
+      ->excludes(every);
+}
+
+void add_segmentation_options(CLI::App& command, InputOptions& options) {
+  SegmentationOptions& s = options.segmentation;
+  auto* level = command.add_option("--level", options.level, "Grey input: the organ is at least this bright (CT: HU)")
+                    ->check(CLI::Number)
+                    ->type_name("V");
+  command.add_option("--label", options.label, "Label input: this label, or `all`")
+      ->excludes(level)
+      ->type_name("N|all");
+  command.add_flag("--darker", options.darker, "The organ is darker than --level")->needs(level);
+  command.add_option("--gaussian", s.gaussian_sigma_pixels, "Low-pass filter, standard deviation in pixels")
+      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--curvature", s.curvature,
+                  "Level set: weight of the curvature term in pixels (0: exact level curves)")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--steps", s.max_steps, "Level set: steps at most")->check(CLI::PositiveNumber);
+  command.add_flag("--fill-holes", s.fill_holes, "Fill background enclosed by the organ within each slice");
+  command.add_flag("--largest", s.largest, "Keep the largest connected part only");
+}
+
+namespace {
+
+bool is_contour_file(const std::filesystem::path& path) {
+  return std::filesystem::is_regular_file(path) && find_format(path, &Format::read_contours) != nullptr;
+}
+
+std::vector<ContourStack> read_contour_inputs(const InputOptions& options) {
+  std::vector<ContourStack> organs;
+  for (const std::filesystem::path& path : options.paths)
+    for (ContourStack& organ : read_contours(path)) {
+      const auto same = std::find_if(organs.begin(), organs.end(), [&](const auto& o) { return o.name == organ.name; });
+      if (same == organs.end())
+        organs.push_back(std::move(organ));
+      else
+        same->slices.insert(same->slices.end(), organ.slices.begin(), organ.slices.end());
+    }
+  return organs;
+}
+
+/// Positions (from 0) that --every and --slices keep of `count` slices.
+std::vector<std::size_t> kept_positions(const InputOptions& options, std::size_t count, const std::string& name) {
+  std::vector<std::size_t> kept;
+  for (const int slice : options.slices) {
+    if (slice < 0 || static_cast<std::size_t>(slice) >= count)
+      throw InputError(name, fmt::format("there is no slice {} among its {}", slice, count),
+                       "number the slices of --slices from 0");
+    kept.push_back(static_cast<std::size_t>(slice));
+  }
+  if (!options.slices.empty()) return kept;
+  for (std::size_t i = 0; i < count; i += static_cast<std::size_t>(options.every)) kept.push_back(i);
+  return kept;
+}
+
+std::vector<int> labels_asked_for(const InputOptions& options, const SliceStack& stack) {
+  if (options.label == "all") return labels_in(stack);
+  int label = 0;
+  const char* end = options.label.data() + options.label.size();
+  if (std::from_chars(options.label.data(), end, label).ptr != end)
+    throw InputError("--label", "'" + options.label + "' is not a label", "give a whole number or `all`");
+  return {label};
+}
+
+}  // namespace
+
+SliceStack read_images(const InputOptions& options, Session& session) {
+  SliceStack scene;
+  for (const std::filesystem::path& path : options.paths) {
+    SliceStack stack = read_slices(path, options.read_options(), session.progress());
+    for (const std::string& warning : stack.warnings) session.note(warning);
+    if (scene.slices.empty()) scene.name = stack.name;
+    std::move(stack.slices.begin(), stack.slices.end(), std::back_inserter(scene.slices));
+  }
+  return scene;
+}
+
+SliceStack chosen_slices(const SliceStack& stack, const InputOptions& options) {
+  SliceStack chosen{.name = stack.name, .slices = {}, .warnings = stack.warnings};
+  for (const std::size_t i : kept_positions(options, stack.slices.size(), stack.name))
+    chosen.slices.push_back(stack.slices[i]);
+  return chosen;
+}
+
+double level_of(const InputOptions& options) { return std::stod(options.level); }
+
+std::vector<ContourStack> organs_from(const InputOptions& options, Session& session) {
+  if (std::all_of(options.paths.begin(), options.paths.end(), is_contour_file)) {
+    std::vector<ContourStack> organs = read_contour_inputs(options);
+    for (ContourStack& organ : organs) {
+      std::vector<ContourSlice> kept;
+      for (const std::size_t i : kept_positions(options, organ.slices.size(), organ.name))
+        kept.push_back(organ.slices[i]);
+      organ.slices = std::move(kept);
+    }
+    return organs;
+  }
+  if (options.level.empty() && options.label.empty())
+    throw InputError(options.paths.front().string(), "images need a rule that says where the organ is",
+                     "give --level V for grey images or --label N for label images");
+  const SliceStack stack = chosen_slices(read_images(options, session), options);
+  std::vector<ContourStack> organs;
+  if (!options.label.empty()) {
+    const LabelOptions labels{.fill_holes = options.segmentation.fill_holes, .largest = options.segmentation.largest};
+    for (const int label : labels_asked_for(options, stack)) {
+      organs.push_back(trace_label(stack, label, labels, session.progress()));
+      organs.back().name = std::to_string(label);
+    }
+    return organs;
+  }
+  SegmentationOptions segmentation = options.segmentation;
+  segmentation.level = level_of(options);
+  segmentation.brighter_inside = !options.darker;
+  organs.push_back(segment(stack, segmentation, session.progress()));
+  return organs;
+}
+
+}  // namespace isostack::cli

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/session.h"
+#include "io/read_slices.h"
+#include "recon/geometry/contour.h"
+#include "segmentation/segment.h"
+
+namespace isostack::cli {
+
+/// IN..., how to read it, which slices of it to use, and how grey values or labels become contours.
+struct InputOptions {
+  std::vector<std::filesystem::path> paths;
+  std::string series;
+  std::vector<double> spacing_mm;
+  int every = 1;
+  std::vector<int> slices;
+
+  std::string level;  ///< text, so that "not given" can be told from 0
+  std::string label;
+  bool darker = false;
+  SegmentationOptions segmentation;
+
+  ReadOptions read_options() const;
+};
+
+void add_reading_options(CLI::App& command, InputOptions& options);
+void add_slice_choice(CLI::App& command, InputOptions& options);
+void add_segmentation_options(CLI::App& command, InputOptions& options);
+
+/// All image inputs as one scene, before slices are chosen. Notes the readers' warnings.
+SliceStack read_images(const InputOptions& options, Session& session);
+
+/// The slices that --every and --slices keep.
+SliceStack chosen_slices(const SliceStack& stack, const InputOptions& options);
+
+/// Contours of every organ asked for: read from contour files, or traced in the images.
+/// Throws InputError when neither --level nor --label says what to look for.
+std::vector<ContourStack> organs_from(const InputOptions& options, Session& session);
+
+/// The given --level as a number.
+double level_of(const InputOptions& options);
+
+}  // namespace isostack::cli

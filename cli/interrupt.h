@@ -1,0 +1,12 @@
+#pragma once
+
+namespace isostack::cli {
+
+/// From now on Ctrl-C (SIGINT) and SIGTERM ask to stop instead of killing the program; a second
+/// one kills it.
+void watch_for_interrupts();
+
+/// Whether one came.
+bool interrupted();
+
+}  // namespace isostack::cli

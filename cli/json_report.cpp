@@ -1,0 +1,68 @@
+#include "cli/json_report.h"
+
+#include <fmt/format.h>
+
+namespace isostack::cli {
+
+nlohmann::json to_json(const ReconstructReport& report) {
+  return {{"contour_points", report.contour_points},
+          {"boundary_constraints", report.boundary_constraints},
+          {"constraints", report.constraints},
+          {"solver_bytes", report.solver_bytes},
+          {"solves", report.solves},
+          {"largest_residual_mm", report.largest_residual},
+          {"resolution_mm", report.resolution_mm},
+          {"contour_points_without_surface", report.contour_points_without_surface},
+          {"plane_check",
+           {{"points", report.plane_points},
+            {"wrong", report.plane_points_wrong},
+            {"constraints_added", report.plane_constraints}}},
+          {"open_end", report.open_end},
+          {"cut_by_bounds", report.cut_by_bounds},
+          {"seconds",
+           {{"constraints", report.constraint_seconds},
+            {"solve", report.solve_seconds},
+            {"surface", report.surface_seconds}}}};
+}
+
+nlohmann::json to_json(const MeshMeasures& measures) {
+  return {{"volume_mm3", measures.volume_mm3},
+          {"area_mm2", measures.area_mm2},
+          {"vertices", measures.vertices},
+          {"triangles", measures.triangles},
+          {"components", measures.components},
+          {"euler_characteristic", measures.euler_characteristic},
+          {"genus", measures.watertight() ? nlohmann::json(measures.genus) : nlohmann::json(nullptr)},
+          {"watertight", measures.watertight()},
+          {"boundary_edges", measures.boundary_edges},
+          {"non_manifold_edges", measures.non_manifold_edges},
+          {"flipped_edges", measures.flipped_edges}};
+}
+
+nlohmann::json to_json(const ContourStack& organ) {
+  std::size_t slices_with_contour = 0, contours = 0;
+  nlohmann::json areas = nlohmann::json::array();
+  for (const ContourSlice& slice : organ.slices) {
+    slices_with_contour += slice.contours.empty() ? 0 : 1;
+    contours += slice.contours.size();
+    double area_mm2 = 0;
+    for (const Contour& contour : slice.contours) area_mm2 += signed_area_mm2(contour);
+    areas.push_back(area_mm2);
+  }
+  return {{"name", organ.name},   {"slices", organ.slices.size()}, {"slices_with_contour", slices_with_contour},
+          {"contours", contours}, {"points", point_count(organ)},  {"area_mm2", areas}};
+}
+
+std::string to_text(const MeshMeasures& measures) {
+  return fmt::format(
+      "  volume      {:.3f} cm3\n  area        {:.2f} cm2\n  components  {}\n  genus       {}\n  closed      {}\n"
+      "  triangles   {}\n",
+      measures.volume_mm3 / 1000, measures.area_mm2 / 100, measures.components,
+      measures.watertight() ? fmt::format("{}", measures.genus) : "undefined (not closed)",
+      measures.watertight() ? "yes"
+                            : fmt::format("no ({} open, {} non-manifold, {} flipped edges)", measures.boundary_edges,
+                                          measures.non_manifold_edges, measures.flipped_edges),
+      measures.triangles);
+}
+
+}  // namespace isostack::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace isostack::cli {
+
+/// Throws InputError before any work is done when an output could not be written at the end: its
+/// folder is missing or the extension is not one of those `purpose` allows.
+enum class OutputPurpose { kContoursOrLabels, kSurfaceOrLabels };
+void require_writable(const std::filesystem::path& output, OutputPurpose purpose);
+
+bool is_label_file(const std::filesystem::path& path);
+
+/// "skull.stl", "4" -> "skull_4.stl"; keeps double extensions such as .nii.gz whole.
+std::filesystem::path with_suffix(const std::filesystem::path& path, const std::string& suffix);
+
+}  // namespace isostack::cli

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "recon/geometry/progress.h"
+
+namespace isostack::cli {
+
+/// What every command has: the common options, where its result goes, and what to run once the
+/// whole command line has been understood.
+struct Session {
+  bool json = false;             ///< machine-readable result on stdout
+  bool quiet = false;            ///< no progress, no notes
+  int threads = 0;               ///< 0: all
+  std::filesystem::path report;  ///< empty: none
+
+  std::function<void()> run;  ///< set by the chosen command
+  nlohmann::json result;      ///< filled by it
+  std::string text;           ///< the same for people
+
+  /// Reports to the terminal and stops on Ctrl-C.
+  Progress progress() const;
+  /// A remark on stderr ("note: ...") unless --quiet; also kept in the result under "notes".
+  void note(const std::string& remark);
+};
+
+}  // namespace isostack::cli

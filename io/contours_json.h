@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "recon/geometry/contour.h"
+
+namespace isostack {
+
+/// Contours as JSON; the schema is in docs/formats.md. Reading throws InputError naming the file
+/// and the slice or the JSON value that is wrong.
+bool is_json_contours(const std::filesystem::path& path);
+std::vector<ContourStack> read_json_contours(const std::filesystem::path& path);
+void write_json_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path);
+
+}  // namespace isostack

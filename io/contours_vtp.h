@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "recon/geometry/contour.h"
+
+namespace isostack {
+
+/// Contours as VTP: closed polylines in world mm with cell arrays "organ", "slice" and "depth", and a
+/// table of organs and slices (also of slices without contours) in the field data, as docs/formats.md
+/// says. Reading throws InputError naming the file and slice, for instance of an open polyline.
+bool is_vtp_contours(const std::filesystem::path& path);
+std::vector<ContourStack> read_vtp_contours(const std::filesystem::path& path);
+void write_vtp_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path);
+
+}  // namespace isostack

@@ -1,0 +1,77 @@
+#include "io/formats.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "io/contours_json.h"
+#include "io/contours_vtp.h"
+#include "io/dicom_series.h"
+#include "io/image_stack.h"
+#include "io/mesh_gltf.h"
+#include "io/mesh_ply.h"
+#include "io/mesh_vtk.h"
+#include "io/metaimage.h"
+#include "io/nifti.h"
+#include "io/nrrd.h"
+#include "recon/geometry/errors.h"
+
+namespace isostack {
+
+const std::vector<Format>& all_formats() {
+  static const std::vector<Format> formats = {
+      {.name = "DICOM", .extensions = {".dcm", ".ima"}, .read_slices = read_dicom_slices},
+      {.name = "NIfTI",
+       .extensions = {".nii.gz", ".nii"},
+       .read_volume_header = read_nifti_header,
+       .read_volume = read_nifti,
+       .write_labels = write_nifti_labels},
+      {.name = "NRRD",
+       .extensions = {".nrrd", ".nhdr"},
+       .read_volume_header = read_nrrd_header,
+       .read_volume = read_nrrd},
+      {.name = "MetaImage",
+       .extensions = {".mha", ".mhd"},
+       .read_volume_header = read_metaimage_header,
+       .read_volume = read_metaimage},
+      {.name = "images",
+       .extensions = {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp"},
+       .read_slices = read_image_stack},
+      {.name = "STL", .extensions = {".stl"}, .read_mesh = read_stl, .write_mesh = write_stl},
+      {.name = "PLY", .extensions = {".ply"}, .read_mesh = read_ply, .write_mesh = write_ply},
+      {.name = "OBJ", .extensions = {".obj"}, .read_mesh = read_obj, .write_mesh = write_obj},
+      {.name = "VTP",
+       .extensions = {".vtp"},
+       .read_mesh = read_vtp_mesh,
+       .read_contours = read_vtp_contours,
+       .holds_contours = is_vtp_contours,
+       .write_mesh = write_vtp_mesh,
+       .write_contours = write_vtp_contours},
+      {.name = "glTF", .extensions = {".gltf"}, .write_mesh = write_gltf},
+      {.name = "contour JSON",
+       .extensions = {".json"},
+       .read_contours = read_json_contours,
+       .holds_contours = is_json_contours,
+       .write_contours = write_json_contours},
+  };
+  return formats;
+}
+
+bool has_extension_of(const std::filesystem::path& path, const Format& format) {
+  std::string name = path.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  return std::any_of(format.extensions.begin(), format.extensions.end(),
+                     [&](std::string_view extension) { return name.ends_with(extension); });
+}
+
+void throw_unknown_extension(const std::filesystem::path& path, std::string_view purpose,
+                             const std::vector<std::string_view>& extensions) {
+  const std::string extension = path.extension().string();
+  const std::string problem = extension.empty() ? fmt::format("no extension that tells the format of {}", purpose)
+                                                : fmt::format("unknown extension {} for {}", extension, purpose);
+  throw InputError(path.string(), problem, fmt::format("use {}", fmt::join(extensions, ", ")));
+}
+
+}  // namespace isostack

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+#include "recon/geometry/triangle_mesh.h"
+
+namespace isostack {
+
+/// Writes one self-contained glTF 2.0 file. LPS mm becomes glTF's metres with Y up: the patient
+/// stands upright (superior = +Y) and looks along +Z.
+void write_gltf(const TriangleMesh& mesh, const std::filesystem::path& path);
+
+}  // namespace isostack

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+#include "io/volume_header.h"
+
+namespace isostack {
+
+/// NIfTI-1 and -2, .nii and .nii.gz, one 3D or 2D volume. Index order is that of the file; RAS is
+/// turned into LPS. Throws InputError naming the file.
+VolumeHeader read_nifti_header(const std::filesystem::path& path);
+Volume<float> read_nifti(const std::filesystem::path& path);
+
+/// Writes NIfTI-1 with 16-bit labels, compressed if the name ends in .gz. The sform holds the
+/// grid exactly; the qform too, except for a sheared grid, which it cannot express (its code is 0
+/// then). Throws InputError naming the file.
+void write_nifti_labels(const LabelVolume& labels, const std::filesystem::path& path);
+
+}  // namespace isostack

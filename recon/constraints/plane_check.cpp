@@ -1,0 +1,111 @@
+#include "recon/constraints/plane_check.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "recon/constraints/empty_slices.h"
+
+namespace isostack {
+
+namespace {
+
+/// The part of each slice to look at: its image, or without one the box of all contours and a tenth more.
+Eigen::AlignedBox2d region_of(const ContourSlice& slice, const Eigen::AlignedBox3d& contours_box) {
+  Eigen::AlignedBox2d region;
+  for (int corner = 0; corner < 8; ++corner)
+    region.extend(slice.pose.world_to_slice(contours_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
+  const Eigen::Vector2d margin = 0.1 * region.sizes();
+  region.extend(region.min() - margin);
+  region.extend(region.max() + margin);
+  if ((slice.size_pixels.array() > 0).all()) {
+    const Eigen::Vector2d last = slice.pose.pixel_to_slice((slice.size_pixels.array() - 1).cast<double>().matrix());
+    region = region.intersection(Eigen::AlignedBox2d(Eigen::Vector2d::Zero(), last));
+  }
+  return region;
+}
+
+Eigen::AlignedBox3d box_of(const ContourStack& stack) {
+  Eigen::AlignedBox3d box;
+  for (const ContourSlice& slice : stack.slices)
+    for (const Contour& contour : slice.contours)
+      for (const Eigen::Vector2d& p : contour.points_mm) box.extend(slice.pose.slice_to_world(p));
+  return box;
+}
+
+struct LatticePoint {
+  std::size_t slice;
+  Eigen::Vector2d point_in_slice_mm;
+};
+
+std::vector<LatticePoint> lattice_on(const ContourStack& stack, std::size_t max_points) {
+  const Eigen::AlignedBox3d box = box_of(stack);
+  double area_pixels = 0;
+  for (const ContourSlice& slice : stack.slices) {
+    const Eigen::AlignedBox2d region = region_of(slice, box);
+    if (!region.isEmpty()) area_pixels += region.volume() / std::pow(slice.pose.spacing_mm.minCoeff(), 2);
+  }
+  const double step_pixels = std::max(2.0, std::sqrt(area_pixels / static_cast<double>(max_points)));
+  std::vector<LatticePoint> lattice;
+  for (std::size_t s = 0; s < stack.slices.size(); ++s) {
+    const Eigen::AlignedBox2d region = region_of(stack.slices[s], box);
+    if (region.isEmpty()) continue;
+    const double step_mm = step_pixels * stack.slices[s].pose.spacing_mm.minCoeff();
+    for (double y = region.min().y(); y <= region.max().y(); y += step_mm)
+      for (double x = region.min().x(); x <= region.max().x(); x += step_mm) lattice.push_back({s, {x, y}});
+  }
+  return lattice;
+}
+
+/// Farthest first, leaving out points nearer to a chosen one of the same slice than half that one's distance.
+std::vector<Disagreement> spread_out(std::vector<Disagreement> all, std::size_t most) {
+  std::sort(all.begin(), all.end(), [](const Disagreement& a, const Disagreement& b) {
+    return std::abs(a.distance_mm) != std::abs(b.distance_mm) ? std::abs(a.distance_mm) > std::abs(b.distance_mm)
+                                                              : a.slice < b.slice;
+  });
+  std::vector<Disagreement> chosen;
+  for (const Disagreement& candidate : all) {
+    if (chosen.size() == most) break;
+    const bool covered = std::any_of(chosen.begin(), chosen.end(), [&](const Disagreement& c) {
+      return c.slice == candidate.slice && (c.point_mm - candidate.point_mm).norm() < 0.5 * std::abs(c.distance_mm);
+    });
+    if (!covered) chosen.push_back(candidate);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+PlaneCheck check_planes(const std::function<Eigen::VectorXd(const Eigen::MatrixXd&)>& values, const ContourStack& stack,
+                        const PlaneCheckOptions& options) {
+  const std::vector<LatticePoint> lattice = lattice_on(stack, options.max_lattice_points);
+  Eigen::MatrixXd points(3, static_cast<Eigen::Index>(lattice.size()));
+  for (std::size_t i = 0; i < lattice.size(); ++i)
+    points.col(static_cast<Eigen::Index>(i)) =
+        stack.slices[lattice[i].slice].pose.slice_to_world(lattice[i].point_in_slice_mm);
+  const Eigen::VectorXd f = values(points);
+
+  std::vector<double> wrong_by_mm(lattice.size(), 0.0);  // 0 where the sign is right
+  tbb::parallel_for(std::size_t{0}, lattice.size(), [&](std::size_t i) {
+    const ContourSlice& slice = stack.slices[lattice[i].slice];
+    const double value = f[static_cast<Eigen::Index>(i)];
+    if (is_inside(slice.contours, lattice[i].point_in_slice_mm) == (value > 0)) return;
+    const double distance = slice.contours.empty() ? -half_gap_to_contours_mm(stack, slice)
+                                                   : signed_distance_mm(slice.contours, lattice[i].point_in_slice_mm);
+    if (std::abs(distance) > options.tolerance_pixels * slice.pose.spacing_mm.minCoeff()) wrong_by_mm[i] = distance;
+  });
+
+  PlaneCheck check;
+  check.points = lattice.size();
+  std::vector<Disagreement> all;
+  for (std::size_t i = 0; i < lattice.size(); ++i)
+    if (wrong_by_mm[i] != 0)
+      all.push_back({lattice[i].slice, points.col(static_cast<Eigen::Index>(i)), wrong_by_mm[i]});
+  check.wrong = all.size();
+  check.worst = spread_out(std::move(all), options.max_new_constraints);
+  return check;
+}
+
+}  // namespace isostack

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace isostack {
+
+/// Adds a cube with the patient's directions (L/R, A/P, S/I) at the window's bottom left, turning with the camera of
+/// `renderer`. The renderer must already be in the window.
+void add_orientation_marker(bool dark, vtkRenderer& renderer, vtkRenderWindow& window);
+
+}  // namespace isostack
