@@ -8,6 +8,8 @@ nlohmann::json to_json(const ReconstructReport& report) {
   return {{"contour_points", report.contour_points},
           {"boundary_constraints", report.boundary_constraints},
           {"constraints", report.constraints},
+          {"merged_constraints", report.merged_constraints},
+          {"largest_contradiction_mm", report.largest_contradiction},
           {"solver_bytes", report.solver_bytes},
           {"solves", report.solves},
           {"largest_residual_mm", report.largest_residual},

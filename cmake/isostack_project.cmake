@@ -37,14 +37,7 @@ endif()
 
 # isostack_library(NAME sources...): the library isostack_NAME, known as isostack::NAME, installed and exported.
 function(isostack_library name)
-  set(sources ${ARGN})
-  foreach(source ${ARGN})
-    if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
-      list(REMOVE_ITEM sources ${source})
-      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
-    endif()
-  endforeach()
-  add_library(isostack_${name} ${sources})
+  add_library(isostack_${name} ${ARGN})
   add_library(isostack::${name} ALIAS isostack_${name})
   set_target_properties(isostack_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(isostack_${name} PUBLIC

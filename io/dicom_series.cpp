@@ -75,10 +75,13 @@ void require_images(const DicomScan& scan, const std::string& where) {
 }  // namespace
 
 OrderedSeries order_series(const DicomSeries& series) {
-  require_equal_sizes(series.files);
   std::vector<SlicePose> poses;
   poses.reserve(series.files.size());
-  for (const DicomHeader& file : series.files) poses.push_back(pose_of(file));
+  for (const DicomHeader& file : series.files) {
+    require_grey_single_frame(file);
+    poses.push_back(pose_of(file));
+  }
+  require_equal_sizes(series.files);
   OrderedSeries ordered;
   for (const std::size_t i : order_along_normals(poses)) {
     ordered.files.push_back(series.files[i]);

@@ -12,8 +12,8 @@ struct OrderedSeries {
   std::vector<SlicePose> poses;
 };
 
-/// Throws InputError or GeometryError naming the file when a slice has no valid pose or does not
-/// have the size of the others, or when two slices lie at the same place.
+/// Throws InputError or GeometryError naming the file when a slice is coloured, has no valid pose
+/// or does not have the size of the others, or when two slices lie at the same place.
 OrderedSeries order_series(const DicomSeries& series);
 
 /// Warnings about geometry and grey values of the series.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t undefined_length = 0xffffffff;
 constexpr std::uint32_t item = 0xfffee000, item_end = 0xfffee00d, sequence_end = 0xfffee0dd;
-constexpr std::uint32_t transfer_syntax = 0x00020010, pixel_data = 0x7fe00010;
+constexpr std::uint32_t meta_length = 0x00020000, transfer_syntax = 0x00020010, pixel_data = 0x7fe00010;
 constexpr int deepest_nesting = 64;
 
 /// How elements are written (DICOM PS3.5, section 7.1).
@@ -22,8 +22,7 @@ struct Encoding {
   bool big_endian = false;
 };
 
-struct CutOff {};       // an element or its value is not all there
-struct UnknownForm {};  // not an element this walk understands
+struct Damaged {};  // an element is not all there, or is not one
 
 struct Element {
   std::uint32_t tag = 0;
@@ -38,27 +37,29 @@ class Walk {
     go_to(128 + 4);
   }
 
-  /// Returns the transfer syntax's UID; ends before the first element of another group.
+  /// Returns the transfer syntax's UID; ends before the first element of another group, which must
+  /// be where the group's length says.
   std::string meta_information() {
     std::string uid;
-    while (position_ < size_) {
-      const std::uintmax_t start = position_;
+    std::uintmax_t announced_end = 0;
+    while (position_ < size_ && next_group() == 2) {
       const Element element = next({});
-      if (element.tag >> 16 != 2) {
-        go_to(start);
-        break;
-      }
-      if (element.tag == transfer_syntax && element.length <= 64)
+      if (element.tag == transfer_syntax && element.length <= 64) {
         uid = text(element.length);
-      else
+      } else if (element.tag == meta_length && element.length == 4) {
+        const std::uint32_t length = number(4, false);
+        announced_end = position_ + length;
+      } else {
         skip(element.length);
+      }
     }
+    if (announced_end != 0 && announced_end != position_) throw Damaged();
     return uid;
   }
 
   /// Walks to the end of the pixel data or of the file.
   bool data_set(const Encoding& encoding) {
-    if (position_ == size_) throw CutOff();  // GDCM cannot bear an empty data set either
+    if (position_ == size_) throw Damaged();  // GDCM cannot bear an empty data set either
     while (position_ < size_) {
       const Element element = next(encoding);
       value(element, encoding, 0);
@@ -69,12 +70,12 @@ class Walk {
 
  private:
   void go_to(std::uintmax_t position) {
-    if (position > size_) throw CutOff();
+    if (position > size_) throw Damaged();
     position_ = position;
     stream_.seekg(static_cast<std::streamoff>(position));
   }
   void skip(std::uintmax_t bytes) {
-    if (bytes > size_ - position_) throw CutOff();
+    if (bytes > size_ - position_) throw Damaged();
     constexpr std::uintmax_t cheaper_to_read = 4096;  // than to seek, which empties the buffer
     position_ += bytes;
     if (bytes <= cheaper_to_read)
@@ -85,17 +86,25 @@ class Walk {
   std::string text(std::size_t bytes) {
     std::string result(bytes, '\0');
     position_ += bytes;
-    if (!stream_.read(result.data(), static_cast<std::streamsize>(bytes))) throw CutOff();
-    return result.c_str();
+    if (!stream_.read(result.data(), static_cast<std::streamsize>(bytes))) throw Damaged();
+    return result.substr(0, result.find('\0'));  // padded with NUL
   }
   std::uint32_t number(int bytes, bool big_endian) {
     std::array<unsigned char, 4> raw{};
     position_ += static_cast<unsigned>(bytes);
-    if (!stream_.read(reinterpret_cast<char*>(raw.data()), bytes)) throw CutOff();
+    if (!stream_.read(reinterpret_cast<char*>(raw.data()), bytes)) throw Damaged();
     std::uint32_t result = 0;
     for (int i = 0; i < bytes; ++i)
       result = result << 8 | raw[static_cast<std::size_t>(big_endian ? i : bytes - 1 - i)];
     return result;
+  }
+
+  /// The group number ahead, in little endian.
+  std::uint32_t next_group() {
+    const std::uintmax_t start = position_;
+    const std::uint32_t group = number(2, false);
+    go_to(start);
+    return group;
   }
 
   Element next(const Encoding& encoding) {
@@ -107,10 +116,11 @@ class Walk {
       return element;
     }
     element.vr = text(2);
-    if (element.vr.size() != 2 || element.vr.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") != std::string::npos)
-      throw UnknownForm();
+    constexpr std::string_view short_forms = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
     constexpr std::string_view long_forms = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
-    if (long_forms.find(element.vr) == std::string_view::npos) {
+    const bool is_long = long_forms.find(element.vr) != std::string_view::npos;
+    if (element.vr.size() != 2 || (!is_long && short_forms.find(element.vr) == std::string_view::npos)) throw Damaged();
+    if (!is_long) {
       element.length = number(2, encoding.big_endian);
     } else {
       skip(2);
@@ -120,17 +130,32 @@ class Walk {
   }
 
   void value(const Element& element, const Encoding& encoding, int depth) {
-    if (element.length != undefined_length) return skip(element.length);
-    if (depth > deepest_nesting) throw UnknownForm();
+    const bool is_undefined = element.length == undefined_length;
+    if (!is_undefined && element.vr != "SQ") return skip(element.length);
+    if (depth > deepest_nesting) throw Damaged();
     const Encoding inner = {encoding.explicit_vr && element.vr != "UN", encoding.big_endian};
-    for (Element part = next(inner); part.tag != sequence_end; part = next(inner)) {
-      if (part.tag != item) throw UnknownForm();
-      if (part.length != undefined_length) {
-        skip(part.length);
-        continue;
-      }
-      for (Element member = next(inner); member.tag != item_end; member = next(inner)) value(member, inner, depth + 1);
+    const std::uintmax_t end = position_ + element.length;
+    while (is_undefined || position_ < end) {
+      const Element part = next(inner);
+      if (is_undefined && part.tag == sequence_end) return;
+      if (part.tag != item) throw Damaged();
+      if (element.tag == pixel_data)
+        skip(part.length);  // a fragment of compressed pixels
+      else
+        members(part, inner, depth + 1);
     }
+    if (position_ != end) throw Damaged();
+  }
+
+  void members(const Element& part, const Encoding& encoding, int depth) {
+    const bool is_undefined = part.length == undefined_length;
+    const std::uintmax_t end = position_ + part.length;
+    while (is_undefined || position_ < end) {
+      const Element member = next(encoding);
+      if (is_undefined && member.tag == item_end) return;
+      value(member, encoding, depth);
+    }
+    if (position_ != end) throw Damaged();
   }
 
   std::ifstream stream_;
@@ -150,10 +175,8 @@ DicomStructure walk_dicom(const std::filesystem::path& path) {
     }
     structure.has_pixels =
         walk.data_set({.explicit_vr = syntax != "1.2.840.10008.1.2", .big_endian = syntax == "1.2.840.10008.1.2.2"});
-  } catch (const CutOff&) {
+  } catch (const Damaged&) {
     structure.is_whole = false;
-  } catch (const UnknownForm&) {
-    structure.has_pixels = true;  // unknown; GDCM will tell
   }
   return structure;
 }

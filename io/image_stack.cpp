@@ -15,7 +15,7 @@ namespace isostack {
 namespace {
 
 /// Full scale of the stored integers: OpenImageIO maps them to [0, 1] when read as floats.
-float full_scale(OIIO::TypeDesc type) {
+float full_scale(const OIIO::TypeDesc& type) {
   if (type == OIIO::TypeDesc::UINT8) return 255;
   if (type == OIIO::TypeDesc::UINT16) return 65535;
   return 1;

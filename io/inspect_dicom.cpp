@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "io/dicom_series.h"
 #include "io/inspect_parts.h"
 #include "recon/geometry/errors.h"
@@ -43,11 +41,6 @@ SeriesSummary summarise(const DicomSeries& series, int number) {
   } catch (const Error& error) {
     summary.warnings.push_back(fmt::format("unusable: {}", error.what()));
   }
-  const auto multi_frame =
-      std::find_if(series.files.begin(), series.files.end(), [](const auto& f) { return f.frames != 1; });
-  if (multi_frame != series.files.end())
-    summary.warnings.push_back(
-        fmt::format("multi-frame: {} holds {} frames, which is not supported", multi_frame->name, multi_frame->frames));
   return summary;
 }
 

@@ -15,7 +15,7 @@ SeriesSummary inspect_volume(const std::filesystem::path& path) {
   std::vector<SlicePose> poses;
   for (int k = 0; k < grid.size.z(); ++k) poses.push_back(pose_of_plane(grid, k, path.string()));
   const Eigen::Vector3d k_direction = grid.index_to_world.linear().col(2);
-  if (poses.front().normal().dot(k_direction) < 0) std::reverse(poses.begin(), poses.end());  // as read_slices does
+  if (poses.front().normal().dot(k_direction) < 0) std::reverse(poses.begin(), poses.end());  // gaps are positive
   SeriesSummary summary;
   summarise_poses(poses, grid.size.x(), grid.size.y(), summary);
   summary.kind = summary.encoding = format.name;

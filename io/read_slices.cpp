@@ -20,14 +20,12 @@ SliceStack read_folder(const std::filesystem::path& folder, const ReadOptions& o
                    "give a folder of DICOM slices or of PNG/TIFF images, or a volume file itself");
 }
 
-/// Volumes whose k axis runs against the normal are turned, so that slices always run along it.
 SliceStack read_as_slices(const Format& format, const std::filesystem::path& path) {
   SliceStack stack;
   stack.name = path.filename().string();
   stack.warnings = format.read_volume_header(path).warnings;
   const Volume<float> volume = format.read_volume(path);
   stack.slices = slices_of(volume, stack.name);
-  if (volume.grid.index_to_world.linear().determinant() < 0) std::reverse(stack.slices.begin(), stack.slices.end());
   return stack;
 }
 

@@ -19,7 +19,8 @@ struct ReadOptions {
 };
 
 /// Reads a DICOM folder or file, NIfTI, NRRD, MetaImage or a folder of PNG/TIFF images.
-/// Every slice keeps its own pose; parallel slices come ordered along their normal.
+/// Every slice keeps its own pose. Parallel DICOM slices come ordered along their normal, a volume's
+/// in the order of its third index.
 /// Throws InputError or GeometryError naming the file or slice and the remedy.
 SliceStack read_slices(const std::filesystem::path& path, const ReadOptions& options = {},
                        const Progress& progress = {});

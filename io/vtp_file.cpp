@@ -1,11 +1,14 @@
 #include "io/vtp_file.h"
 
+#include <fmt/format.h>
 #include <vtkNew.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
+#include <string_view>
 
 #include "io/atomic_file.h"
 #include "io/vtk_errors.h"
@@ -14,21 +17,27 @@ namespace isostack {
 
 namespace {
 
-/// VTK takes a file whose last array is cut off.
-void require_end_tag(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary | std::ios::ate);
-  const std::streamoff size = stream.tellg();
-  std::string end(static_cast<std::size_t>(std::min<std::streamoff>(std::max<std::streamoff>(size, 0), 64)), '\0');
-  stream.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
-  stream.read(end.data(), static_cast<std::streamsize>(end.size()));
-  if (end.find("</VTKFile>") == std::string::npos)
-    throw InputError(path.string(), "it does not end as a VTP file", "it is truncated or another format");
+/// VTK takes a file whose last array is cut off, and crashes on an array of unknown type.
+void require_sound(const std::filesystem::path& path) {
+  constexpr std::string_view types =
+      "|PolyData|Int8|UInt8|Int16|UInt16|Int32|UInt32|Int64|UInt64|Float32|Float64|String|Bit|vtkIdType|";
+  std::ifstream stream(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::string_view end = std::string_view(text).substr(text.size() - std::min<std::size_t>(text.size(), 64));
+  bool sound = end.find("</VTKFile>") != std::string_view::npos;
+  constexpr std::string_view attribute = " type=\"";
+  for (auto at = text.find(attribute); at != std::string::npos && sound; at = text.find(attribute, at + 1)) {
+    const auto value = std::string_view(text).substr(at + attribute.size());
+    sound = types.find(fmt::format("|{}|", value.substr(0, value.find('"')))) != std::string_view::npos;
+  }
+  if (!sound)
+    throw InputError(path.string(), "it is not a whole VTP file", "it is truncated, damaged or another format");
 }
 
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> read_vtp(const std::filesystem::path& path) {
-  require_end_tag(path);
+  require_sound(path);
   const vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());
   update_or_throw(*reader, path);

@@ -9,6 +9,7 @@
 
 #include "recon/constraints/contour_constraints.h"
 #include "recon/constraints/image_constraints.h"
+#include "recon/constraints/merge.h"
 #include "recon/constraints/plane_check.h"
 #include "recon/geometry/errors.h"
 #include "recon/solvers/dense_solver.h"
@@ -34,11 +35,40 @@ std::vector<Eigen::Vector3d> leading_points(const ConstraintSet& set, Eigen::Ind
   return points;
 }
 
-DenseSolver make_solver(const ConstraintSet& set, const ReconstructOptions& options, const Progress& progress) {
-  Eigen::VectorXd smoothing;
-  if (options.smoothing > 0) smoothing = Eigen::VectorXd::Constant(set.values.size(), options.smoothing);
-  return DenseSolver(options.kernel, set.points, smoothing, {.memory_limit_bytes = options.memory_limit_bytes},
-                     progress);
+/// The dense solver over constraints whose coinciding points have been merged; values may change
+/// between solves.
+class Fitter {
+ public:
+  Fitter(const ConstraintSet& set, double pixel_mm, const ReconstructOptions& options, const Progress& progress)
+      : kernel_(options.kernel),
+        merged_(merge_coinciding(set, 0.01 * pixel_mm)),  // no contour knows its place better than that
+        solver_(options.kernel, merged_.set.points, smoothing(options),
+                {.memory_limit_bytes = options.memory_limit_bytes}, progress) {}
+
+  ImplicitFunction solve(const Eigen::VectorXd& values) const {
+    return {kernel_, merged_.set.points, solver_.solve(merged_.merged(values))};
+  }
+  double largest_residual(const ImplicitFunction& function, const Eigen::VectorXd& values) const {
+    return (function.values(merged_.set.points) - merged_.merged(values)).cwiseAbs().maxCoeff();
+  }
+  const MergedConstraints& merged() const { return merged_; }
+
+ private:
+  Eigen::VectorXd smoothing(const ReconstructOptions& options) const {
+    if (options.smoothing == 0) return {};
+    return Eigen::VectorXd::Constant(merged_.set.values.size(), options.smoothing);
+  }
+
+  Kernel kernel_;
+  MergedConstraints merged_;
+  DenseSolver solver_;
+};
+
+void describe(const Fitter& fitter, std::size_t given, ReconstructReport& report) {
+  report.constraints = static_cast<std::size_t>(fitter.merged().set.values.size());
+  report.merged_constraints = given - report.constraints;
+  report.largest_contradiction = fitter.merged().largest_contradiction;
+  report.solver_bytes = DenseSolver::required_bytes(report.constraints);
 }
 
 struct SurfaceRequest {
@@ -83,21 +113,22 @@ void require_two_slices(std::size_t with_boundary, std::size_t total, const std:
       "give more slices, or check the level or label");
 }
 
-double largest_residual(const ImplicitFunction& function, const ConstraintSet& set) {
-  return (function.values(set.points) - set.values).cwiseAbs().maxCoeff();
+double pixel_mm_of(const ContourStack& contours) {
+  double pixel_mm = std::numeric_limits<double>::infinity();
+  for (const ContourSlice& slice : contours.slices) pixel_mm = std::min(pixel_mm, slice.pose.spacing_mm.minCoeff());
+  return pixel_mm;
 }
 
 /// Solves for the constraints as they are, then again with the partners' values corrected by the
 /// normals found. One factorisation serves all solves: only values change.
 ImplicitFunction fit(ContourConstraints& built, const ContourStack& contours, const ReconstructOptions& options,
                      const Progress& progress, ReconstructReport& report) {
-  report.constraints = static_cast<std::size_t>(built.constraints.values.size());
-  report.solver_bytes = DenseSolver::required_bytes(report.constraints);
-  const DenseSolver solver = make_solver(built.constraints, options, progress);
+  const Fitter fitter(built.constraints, pixel_mm_of(contours), options, progress);
+  describe(fitter, static_cast<std::size_t>(built.constraints.values.size()), report);
   const Eigen::MatrixXd boundary = built.constraints.points.leftCols(static_cast<Eigen::Index>(built.samples.size()));
   const auto solve = [&] {
     ++report.solves;
-    return ImplicitFunction(options.kernel, built.constraints.points, solver.solve(built.constraints.values));
+    return fitter.solve(built.constraints.values);
   };
   ImplicitFunction function = solve();
   for (int done = 1; done < options.solves; ++done) {
@@ -105,7 +136,7 @@ ImplicitFunction fit(ContourConstraints& built, const ContourStack& contours, co
     correct_for_oblique_cuts(function.gradients(boundary), contours, built);
     function = solve();
   }
-  if (options.smoothing == 0) report.largest_residual = largest_residual(function, built.constraints);
+  if (options.smoothing == 0) report.largest_residual = fitter.largest_residual(function, built.constraints.values);
   return function;
 }
 
@@ -170,15 +201,15 @@ Reconstruction reconstruct_turk_obrien(const SliceStack& images, double level, c
   const Eigen::Index pairs = set.values.size() / 2;
   result.report.contour_points = static_cast<std::size_t>(all.values.size() / 2);
   result.report.boundary_constraints = static_cast<std::size_t>(pairs);
-  result.report.constraints = static_cast<std::size_t>(set.values.size());
-  result.report.solver_bytes = DenseSolver::required_bytes(result.report.constraints);
   result.report.constraint_seconds = constraint_watch.seconds();
   require_two_slices(pairs > 0 ? images.slices.size() : 0, images.slices.size(), images.name);
 
   const Stopwatch solve_watch;
-  const ImplicitFunction function(options.kernel, set.points, make_solver(set, options, progress).solve(set.values));
+  const Fitter fitter(set, images.slices.front().pose.spacing_mm.minCoeff(), options, progress);
+  describe(fitter, static_cast<std::size_t>(set.values.size()), result.report);
+  const ImplicitFunction function = fitter.solve(set.values);
   result.report.solves = 1;
-  if (options.smoothing == 0) result.report.largest_residual = largest_residual(function, set);
+  if (options.smoothing == 0) result.report.largest_residual = fitter.largest_residual(function, set.values);
   result.report.solve_seconds = solve_watch.seconds();
 
   SurfaceRequest request;

@@ -28,8 +28,10 @@ struct ReconstructOptions {
 struct ReconstructReport {
   std::size_t contour_points = 0;        ///< on all contours
   std::size_t boundary_constraints = 0;  ///< of those, kept
-  std::size_t constraints = 0;
-  std::size_t solver_bytes = 0;  ///< predicted
+  std::size_t constraints = 0;           ///< solved for, at different points
+  std::size_t merged_constraints = 0;    ///< left out because they coincide with another
+  double largest_contradiction = 0;      ///< largest difference of values that were averaged by that
+  std::size_t solver_bytes = 0;          ///< predicted
   int solves = 0;
   double largest_residual = 0;  ///< |f − value| over all constraints after the last solve (smoothing 0)
   double resolution_mm = 0;

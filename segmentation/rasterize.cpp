@@ -21,14 +21,19 @@ std::optional<int> plane_of(const ContourSlice& slice, const Grid& grid, const E
   return k;
 }
 
+// Centres are shifted a little so that a curve through pixel centres has them on one side whatever the
+// rounding, the same for both organs it may bound.
+constexpr double shift_x = 1.4142136e-7, shift_y = 1.2360679e-7;
+
 /// Columns at which the row's centre line crosses the contours.
 std::vector<double> crossings_of_row(const std::vector<std::vector<Eigen::Vector2d>>& loops, int row) {
+  const double y = row + shift_y;
   std::vector<double> crossings;
   for (const auto& loop : loops)
     for (std::size_t i = 0, previous = loop.size() - 1; i < loop.size(); previous = i++) {
       const Eigen::Vector2d &a = loop[previous], &b = loop[i];
-      if ((a.y() > row) == (b.y() > row)) continue;
-      crossings.push_back(a.x() + (row - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+      if ((a.y() > y) == (b.y() > y)) continue;
+      crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
     }
   std::sort(crossings.begin(), crossings.end());
   return crossings;
@@ -53,8 +58,8 @@ void rasterize(const ContourStack& organ, std::uint16_t label, LabelVolume& labe
     for (int row = 0; row < labels.grid.size.y(); ++row) {
       const std::vector<double> crossings = crossings_of_row(loops, row);
       for (std::size_t c = 0; c + 1 < crossings.size(); c += 2) {
-        const int first = std::max(0, static_cast<int>(std::ceil(crossings[c])));
-        const int last = std::min(labels.grid.size.x() - 1, static_cast<int>(std::floor(crossings[c + 1])));
+        const int first = std::max(0, static_cast<int>(std::ceil(crossings[c] - shift_x)));
+        const int last = std::min(labels.grid.size.x() - 1, static_cast<int>(std::floor(crossings[c + 1] - shift_x)));
         for (int i = first; i <= last; ++i) labels.at(i, row, *k) = label;
       }
     }

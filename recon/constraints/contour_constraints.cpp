@@ -7,8 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include "recon/constraints/empty_slices.h"
-
 namespace isostack {
 
 namespace {
@@ -56,13 +54,8 @@ ContourConstraints signed_constraints(const ContourStack& stack, const std::vect
       points.push_back(stack.slices[samples[i].slice].pose.slice_to_world(partner->point_in_slice_mm));
       values.push_back(partner->distance_mm);
     }
-  if (options.guard_empty_slices)
-    for (const OutsidePoint& outside : points_in_empty_slices(stack)) {
-      points.push_back(outside.point_mm);
-      values.push_back(outside.value_mm);
-    }
-  result.constraints.points =
-      Eigen::Map<const Eigen::MatrixXd>(points.data()->data(), 3, static_cast<Eigen::Index>(points.size()));
+  result.constraints.points = Eigen::Map<const Eigen::MatrixXd>(points.empty() ? nullptr : points.front().data(), 3,
+                                                                static_cast<Eigen::Index>(points.size()));
   result.constraints.values =
       Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   return result;

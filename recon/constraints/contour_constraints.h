@@ -20,14 +20,13 @@ struct ContourConstraints {
     double in_plane_distance_mm;
   };
 
-  ConstraintSet constraints;  ///< samples first, then partners, then points of empty slices
+  ConstraintSet constraints;  ///< samples first, then partners, then added points
   std::vector<ContourSample> samples;
   std::vector<Partner> partners;
 };
 
 struct ContourConstraintOptions {
-  double offset_pixels = 1;        ///< distance of the partners; less where the organ or the gap is thin
-  bool guard_empty_slices = true;  ///< keep the surface out of slices in which the organ is absent
+  double offset_pixels = 1;  ///< distance of the partners; less where the organ or the gap is thin
 };
 
 ContourConstraints signed_constraints(const ContourStack& stack, const std::vector<ContourSample>& samples,

@@ -69,15 +69,17 @@ struct Thinning {
   std::size_t least_per_contour = 8;
 };
 
-/// Samples per mm at point i when chords may deviate by the tolerance: spacing² = 8 · radius · tolerance.
-double density(const MeasuredContour& contour, std::size_t i, const Thinning& thinning) {
-  return 1 / std::max(std::sqrt(8 * contour.radius_mm[i] * thinning.tolerance_mm),
-                      thinning.min_spacing_pixels * contour.pixel_mm);
+/// Samples due on the way from point i to the next when chords may deviate by the tolerance:
+/// spacing² = 8 · radius · tolerance. At most one, for there is no point in between to make up for it.
+double samples_due(const MeasuredContour& contour, std::size_t i, const Thinning& thinning) {
+  const double spacing_mm = std::max(std::sqrt(8 * contour.radius_mm[i] * thinning.tolerance_mm),
+                                     thinning.min_spacing_pixels * contour.pixel_mm);
+  return contour.step_mm[i] < spacing_mm ? contour.step_mm[i] / spacing_mm : 1;
 }
 
 std::size_t wanted_samples(const MeasuredContour& contour, const Thinning& thinning) {
   double count = 0;
-  for (std::size_t i = 0; i < contour.step_mm.size(); ++i) count += contour.step_mm[i] * density(contour, i, thinning);
+  for (std::size_t i = 0; i < contour.step_mm.size(); ++i) count += samples_due(contour, i, thinning);
   return std::clamp(static_cast<std::size_t>(std::ceil(count)),
                     std::min(thinning.least_per_contour, contour.step_mm.size()), contour.step_mm.size());
 }
@@ -85,7 +87,7 @@ std::size_t wanted_samples(const MeasuredContour& contour, const Thinning& thinn
 void append_samples(const MeasuredContour& contour, const Thinning& thinning, std::vector<ContourSample>& samples) {
   const std::size_t n = contour.step_mm.size();
   double total = 0;
-  for (std::size_t i = 0; i < n; ++i) total += contour.step_mm[i] * density(contour, i, thinning);
+  for (std::size_t i = 0; i < n; ++i) total += samples_due(contour, i, thinning);
   const double per_sample = total / static_cast<double>(wanted_samples(contour, thinning));
   double credit = per_sample;  // the first point is always kept
   for (std::size_t i = 0; i < n; ++i) {
@@ -93,7 +95,7 @@ void append_samples(const MeasuredContour& contour, const Thinning& thinning, st
       samples.push_back({contour.slice, contour.contour->points_mm[i], contour.inward[i]});
       credit -= per_sample;
     }
-    credit += contour.step_mm[i] * density(contour, i, thinning);
+    credit += samples_due(contour, i, thinning);
   }
 }
 

@@ -7,14 +7,16 @@ namespace isostack {
 
 namespace {
 
-float clamped(const Image<float>& image, Eigen::Index row, Eigen::Index column) {
-  return image(std::clamp<Eigen::Index>(row, 0, image.rows() - 1),
-               std::clamp<Eigen::Index>(column, 0, image.cols() - 1));
+/// Slope of n values at i by central differences, one-sided at the ends; 0 when there is one value only.
+template <class ValueAt>
+double slope(ValueAt value_at, Eigen::Index i, Eigen::Index n) {
+  const Eigen::Index before = std::max<Eigen::Index>(i - 1, 0), after = std::min(i + 1, n - 1);
+  return after > before ? (double(value_at(after)) - double(value_at(before))) / double(after - before) : 0;
 }
 
-Eigen::Vector2d central_difference(const Image<float>& image, Eigen::Index row, Eigen::Index column) {
-  return {(clamped(image, row, column + 1) - clamped(image, row, column - 1)) / 2.0,
-          (clamped(image, row + 1, column) - clamped(image, row - 1, column)) / 2.0};
+Eigen::Vector2d gradient_at(const Image<float>& image, Eigen::Index row, Eigen::Index column) {
+  return {slope([&](Eigen::Index i) { return image(row, i); }, column, image.cols()),
+          slope([&](Eigen::Index i) { return image(i, column); }, row, image.rows())};
 }
 
 }  // namespace
@@ -28,8 +30,8 @@ std::vector<ImageConstraint> image_constraints(const Image<float>& image, double
     const Eigen::Vector2d from(static_cast<double>(column), static_cast<double>(row));
     const Eigen::Vector2d to(static_cast<double>(to_column), static_cast<double>(to_row));
     const Eigen::Vector2d boundary = from + fraction * (to - from);
-    const Eigen::Vector2d gradient = (1 - fraction) * central_difference(image, row, column) +
-                                     fraction * central_difference(image, to_row, to_column);
+    const Eigen::Vector2d gradient =
+        (1 - fraction) * gradient_at(image, row, column) + fraction * gradient_at(image, to_row, to_column);
     if (gradient.norm() > 0) constraints.push_back({boundary, boundary + gradient.normalized()});
   };
   for (Eigen::Index row = 0; row < image.rows(); ++row)
@@ -47,7 +49,8 @@ ConstraintSet image_constraint_set(const SliceStack& stack, double level, std::s
       boundary.push_back(slice.pose.pixel_to_world(c.boundary_pixel));
       inside.push_back(slice.pose.pixel_to_world(c.normal_pixel));
     }
-  const std::size_t stride = std::max<std::size_t>(1, (2 * boundary.size() + max_constraints - 1) / max_constraints);
+  const std::size_t most_pairs = std::max<std::size_t>(1, max_constraints / 2);
+  const std::size_t stride = std::max<std::size_t>(1, (boundary.size() + most_pairs - 1) / most_pairs);
   const auto pairs = static_cast<Eigen::Index>((boundary.size() + stride - 1) / stride);
   ConstraintSet set;
   set.points.resize(3, 2 * pairs);

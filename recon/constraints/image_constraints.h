@@ -15,7 +15,7 @@ struct ImageConstraint {
 };
 
 /// One pair per crossing between a pixel and its east or south neighbour; ≥ level counts as inside.
-/// The gradient is taken by central differences of the image, interpolated linearly.
+/// The gradient is taken by central differences of the image (one-sided at its border), interpolated linearly.
 std::vector<ImageConstraint> image_constraints(const Image<float>& image, double level);
 
 /// All slices' constraints in world mm, at most `max_constraints` (every k-th pair when there are

@@ -94,7 +94,9 @@ PlaneCheck check_planes(const std::function<Eigen::VectorXd(const Eigen::MatrixX
     if (is_inside(slice.contours, lattice[i].point_in_slice_mm) == (value > 0)) return;
     const double distance = slice.contours.empty() ? -half_gap_to_contours_mm(stack, slice)
                                                    : signed_distance_mm(slice.contours, lattice[i].point_in_slice_mm);
-    if (std::abs(distance) > options.tolerance_pixels * slice.pose.spacing_mm.minCoeff()) wrong_by_mm[i] = distance;
+    const bool is_near =
+        !slice.contours.empty() && std::abs(distance) <= options.tolerance_pixels * slice.pose.spacing_mm.minCoeff();
+    if (!is_near) wrong_by_mm[i] = distance;
   });
 
   PlaneCheck check;

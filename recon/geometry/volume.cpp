@@ -57,6 +57,8 @@ Grid grid_of(const SliceStack& stack) {
     if ((slice.pose.origin_mm - expected_mm).norm() > 0.01)
       throw GeometryError(slice.name, "the slices are not evenly spaced", "give a reference volume with an even grid");
   }
+  if (std::abs(step_mm.dot(first.pose.normal())) < 0.01)
+    throw GeometryError(stack.name, "its slices lie in one plane", "give slices at different positions");
   Grid grid;
   grid.size = {static_cast<int>(first.pixels.cols()), static_cast<int>(first.pixels.rows()),
                static_cast<int>(stack.slices.size())};

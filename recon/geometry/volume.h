@@ -49,7 +49,7 @@ SlicePose pose_of_plane(const Grid& grid, int k, const std::string& where);
 std::vector<Slice> slices_of(const Volume<float>& volume, const std::string& name);
 
 /// The grid whose k-planes are these slices. Throws GeometryError unless they are parallel, of
-/// one size and spacing, and evenly spaced along one straight line (within 0.01 mm).
+/// one size and spacing, and evenly spaced along one straight line out of their plane (within 0.01 mm).
 Grid grid_of(const SliceStack& stack);
 
 }  // namespace isostack

@@ -20,7 +20,8 @@ Eigen::Vector3d closest_point_on_triangle(const Triangle& triangle, const Eigen:
   // Barycentric coordinates of the projection onto the plane.
   const double d00 = ab.dot(ab), d01 = ab.dot(ac), d11 = ac.dot(ac), d20 = ap.dot(ab), d21 = ap.dot(ac);
   const double determinant = d00 * d11 - d01 * d01;
-  if (determinant > 0) {
+  // A sliver's coordinates would be rounding noise; its edges are as near as its face.
+  if (determinant > 1e-12 * d00 * d11) {
     const double v = (d11 * d20 - d01 * d21) / determinant, w = (d00 * d21 - d01 * d20) / determinant;
     if (v >= 0 && w >= 0 && v + w <= 1) return a + v * ab + w * ac;
   }

@@ -28,8 +28,9 @@ struct RowCrossing {
   double x;
 };
 
-// Lines are shifted by an irrational fraction of a voxel so that none passes through a vertex.
-constexpr double shift_y = 1.2360679e-7, shift_z = 1.7320508e-7;
+// Centres are shifted by an irrational fraction of a voxel so that no line passes through a vertex and a
+// face through voxel centres has them on one side, the same for both meshes it may belong to.
+constexpr double shift_x = 1.4142136e-7, shift_y = 1.2360679e-7, shift_z = 1.7320508e-7;
 
 void add_crossings(const Vector3d corner[3], const Eigen::Vector3i& t, double z, int rows,
                    std::vector<RowCrossing>& crossings) {
@@ -57,8 +58,8 @@ void fill_rows(std::vector<RowCrossing>& crossings, int k, std::uint16_t label, 
       --c;
       continue;
     }
-    const int first = std::max(0, static_cast<int>(std::ceil(crossings[c].x)));
-    const int last = std::min(columns - 1, static_cast<int>(std::floor(crossings[c + 1].x)));
+    const int first = std::max(0, static_cast<int>(std::ceil(crossings[c].x - shift_x)));
+    const int last = std::min(columns - 1, static_cast<int>(std::floor(crossings[c + 1].x - shift_x)));
     for (int i = first; i <= last; ++i) labels.at(i, crossings[c].row, k) = label;
   }
 }

@@ -20,6 +20,8 @@ std::vector<StackEnd> ends_of(std::vector<SlicePose> poses) {
   if (std::any_of(poses.begin(), poses.end(), [&](const SlicePose& p) { return !are_parallel(first, p); })) return {};
   const auto height = [&](const SlicePose& pose) { return first.signed_distance_mm(pose.origin_mm); };
   std::sort(poses.begin(), poses.end(), [&](const auto& a, const auto& b) { return height(a) < height(b); });
+  const auto in_one_plane = [&](const auto& a, const auto& b) { return height(b) - height(a) < 1e-3; };
+  poses.erase(std::unique(poses.begin(), poses.end(), in_one_plane), poses.end());
   const std::size_t n = poses.size();
   if (n < 2) return {};
   return {{poses[0], -first.normal(), height(poses[1]) - height(poses[0])},

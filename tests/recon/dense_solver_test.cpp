@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <string>
 
 #include "recon/geometry/errors.h"
 #include "recon/surface/implicit_function.h"
@@ -21,10 +22,12 @@ Eigen::VectorXd wavy_values(const Eigen::MatrixXd& points) {
 }
 
 struct Case {
-  const char* name;
+  std::string name;
   Kernel kernel;
   int dimension;
 };
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class DenseSolverKernels : public testing::TestWithParam<Case> {};
 
@@ -69,11 +72,12 @@ TEST_P(DenseSolverKernels, GradientAgreesWithFiniteDifferences) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DenseSolverKernels,
-                         testing::Values(Case{"r 2D", biharmonic(), 2}, Case{"r 3D", biharmonic(), 3},
-                                         Case{"r2logr 2D", thin_plate(), 2}, Case{"r2logr 3D", thin_plate(), 3},
-                                         Case{"r3 3D", triharmonic(), 3}, Case{"r3 4D", triharmonic(), 4},
-                                         Case{"r3 5D", triharmonic(), 5}, Case{"duchon 3D m=3", duchon(3, 3), 3},
-                                         Case{"duchon 4D m=3", duchon(4, 3), 4}, Case{"duchon 1D", duchon(1, 2), 1}));
+                         testing::Values(Case{"r_2D", biharmonic(), 2}, Case{"r_3D", biharmonic(), 3},
+                                         Case{"r2logr_2D", thin_plate(), 2}, Case{"r2logr_3D", thin_plate(), 3},
+                                         Case{"r3_3D", triharmonic(), 3}, Case{"r3_4D", triharmonic(), 4},
+                                         Case{"r3_5D", triharmonic(), 5}, Case{"duchon_3D", duchon(3, 3), 3},
+                                         Case{"duchon_4D", duchon(4, 3), 4}, Case{"duchon_1D", duchon(1, 2), 1}),
+                         [](const auto& one) { return one.param.name; });
 
 TEST(DenseSolver, CubicSplineIsTheOneDimensionalCase) {
   // r³ in 1D is the natural cubic spline: through (0,0), (1,1), (2,0) it has the value 11/16 at 1/2.
