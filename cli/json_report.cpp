@@ -11,6 +11,8 @@ nlohmann::json to_json(const ReconstructReport& report) {
           {"merged_constraints", report.merged_constraints},
           {"largest_contradiction_mm", report.largest_contradiction},
           {"solver_bytes", report.solver_bytes},
+          {"solver", report.solver},
+          {"iterations", report.iterations},
           {"solves", report.solves},
           {"largest_residual_mm", report.largest_residual},
           {"resolution_mm", report.resolution_mm},

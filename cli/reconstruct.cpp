@@ -24,6 +24,7 @@ struct ReconstructCommand {
   std::filesystem::path grid;
   std::string preset = "default";
   std::string kernel;
+  std::string solver = "auto";
   double memory_gb = 8;
   ReconstructOptions options;
 };
@@ -32,6 +33,9 @@ struct ReconstructCommand {
 ReconstructOptions resolved(const ReconstructCommand& command) {
   ReconstructOptions options = command.options;
   if (!command.kernel.empty()) options.kernel = kernel_named(command.kernel);
+  options.solver = command.solver == "dense"  ? SolverChoice::dense
+                   : command.solver == "fast" ? SolverChoice::fast
+                                              : SolverChoice::automatic;
   options.memory_limit_bytes = static_cast<std::size_t>(command.memory_gb * 1e9);
   return options;
 }
@@ -123,6 +127,10 @@ void add_solver_options(CLI::App& command, ReconstructCommand& options) {
       ->check(CLI::IsMember({"default", "turk-obrien"}));
   command.add_option("--kernel", options.kernel, "biharmonic (r), thin_plate (r² log r) or triharmonic (r³, default)")
       ->check(CLI::IsMember({"biharmonic", "thin_plate", "triharmonic"}));
+  command.add_option("--solver", options.solver, "How the system is solved")
+      ->check(CLI::IsMember({"auto", "dense", "fast"}))
+      ->capture_default_str();
+  command.add_flag("--accept-residual", r.accept_residual, "Go on when the solve stalls above its tolerance");
   command.add_option("--smoothing", r.smoothing, "0 passes through the contours, more approximates them")
       ->check(CLI::NonNegativeNumber);
   command.add_option("--max-constraints", r.max_constraints, "Thin the contours to this many constraints")

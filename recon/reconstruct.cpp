@@ -9,10 +9,9 @@
 
 #include "recon/constraints/contour_constraints.h"
 #include "recon/constraints/image_constraints.h"
-#include "recon/constraints/merge.h"
 #include "recon/constraints/plane_check.h"
 #include "recon/geometry/errors.h"
-#include "recon/solvers/dense_solver.h"
+#include "recon/solvers/interpolation_solver.h"
 #include "recon/surface/extract_surface.h"
 #include "recon/surface/implicit_function.h"
 #include "recon/surface/stack_bounds.h"
@@ -35,40 +34,37 @@ std::vector<Eigen::Vector3d> leading_points(const ConstraintSet& set, Eigen::Ind
   return points;
 }
 
-/// The dense solver over constraints whose coinciding points have been merged; values may change
-/// between solves.
-class Fitter {
- public:
-  Fitter(const ConstraintSet& set, double pixel_mm, const ReconstructOptions& options, const Progress& progress)
-      : kernel_(options.kernel),
-        merged_(merge_coinciding(set, 0.01 * pixel_mm)),  // no contour knows its place better than that
-        solver_(options.kernel, merged_.set.points, smoothing(options),
-                {.memory_limit_bytes = options.memory_limit_bytes}, progress) {}
+InterpolationOptions interpolation_options(const ReconstructOptions& options, double pixel_mm) {
+  return {.kernel = options.kernel,
+          .solver = options.solver,
+          .tolerance = options.solve_tolerance_pixels * pixel_mm,
+          .merge_distance = 0.01 * pixel_mm,  // no contour knows its place better than that
+          .memory_limit_bytes = options.memory_limit_bytes};
+}
 
-  ImplicitFunction solve(const Eigen::VectorXd& values) const {
-    return {kernel_, merged_.set.points, solver_.solve(merged_.merged(values))};
-  }
-  double largest_residual(const ImplicitFunction& function, const Eigen::VectorXd& values) const {
-    return (function.values(merged_.set.points) - merged_.merged(values)).cwiseAbs().maxCoeff();
-  }
-  const MergedConstraints& merged() const { return merged_; }
+/// The constraints with the same smoothing for each.
+ConstraintSet with_smoothing(ConstraintSet set, double smoothing) {
+  if (smoothing > 0) set.smoothing = Eigen::VectorXd::Constant(set.values.size(), smoothing);
+  return set;
+}
 
- private:
-  Eigen::VectorXd smoothing(const ReconstructOptions& options) const {
-    if (options.smoothing == 0) return {};
-    return Eigen::VectorXd::Constant(merged_.set.values.size(), options.smoothing);
-  }
-
-  Kernel kernel_;
-  MergedConstraints merged_;
-  DenseSolver solver_;
-};
-
-void describe(const Fitter& fitter, std::size_t given, ReconstructReport& report) {
-  report.constraints = static_cast<std::size_t>(fitter.merged().set.values.size());
+void describe(const InterpolationSolver& solver, std::size_t given, ReconstructReport& report) {
+  report.constraints = static_cast<std::size_t>(solver.merged().set.values.size());
   report.merged_constraints = given - report.constraints;
-  report.largest_contradiction = fitter.merged().largest_contradiction;
-  report.solver_bytes = DenseSolver::required_bytes(report.constraints);
+  report.largest_contradiction = solver.merged().largest_contradiction;
+  report.solver_bytes = solver.predicted_bytes();
+}
+
+void describe(const SolveReport& solve, const std::string& name, const ReconstructOptions& options,
+              ReconstructReport& report) {
+  report.solver = solve.solver;
+  report.iterations += solve.iterations;
+  report.largest_residual = solve.largest_residual;
+  if (!solve.converged && !options.accept_residual)
+    throw SolveError(
+        name.empty() ? "solve" : name,
+        fmt::format("the solve stalled at a residual of {:.2g} mm: {}", solve.largest_residual, solve.remark),
+        "accept it with --accept-residual, add --smoothing, or use fewer constraints");
 }
 
 struct SurfaceRequest {
@@ -120,23 +116,30 @@ double pixel_mm_of(const ContourStack& contours) {
 }
 
 /// Solves for the constraints as they are, then again with the partners' values corrected by the
-/// normals found. One factorisation serves all solves: only values change.
+/// normals found, `solves` times in all. Only values change: one solver serves all solves.
+/// `weights` are those of an earlier fit to the leading constraints (or empty) and become this one's.
 ImplicitFunction fit(ContourConstraints& built, const ContourStack& contours, const ReconstructOptions& options,
-                     const Progress& progress, ReconstructReport& report) {
-  const Fitter fitter(built.constraints, pixel_mm_of(contours), options, progress);
-  describe(fitter, static_cast<std::size_t>(built.constraints.values.size()), report);
+                     int solves, const Progress& progress, Eigen::VectorXd& weights, ReconstructReport& report) {
+  const double pixel_mm = pixel_mm_of(contours);
+  InterpolationSolver solver(with_smoothing(built.constraints, options.smoothing),
+                             interpolation_options(options, pixel_mm), progress);
+  describe(solver, static_cast<std::size_t>(built.constraints.values.size()), report);
   const Eigen::MatrixXd boundary = built.constraints.points.leftCols(static_cast<Eigen::Index>(built.samples.size()));
   const auto solve = [&] {
     ++report.solves;
-    return fitter.solve(built.constraints.values);
+    SolveReport reached;
+    const RadialWeights solution = solver.solve(built.constraints.values, weights, reached, progress);
+    describe(reached, contours.name, options, report);
+    weights = solution.weights;
+    return ImplicitFunction(options.kernel, solver.merged().set.points, solution,
+                            options.solve_tolerance_pixels * pixel_mm);
   };
   ImplicitFunction function = solve();
-  for (int done = 1; done < options.solves; ++done) {
-    progress.report("normals", static_cast<double>(done) / options.solves);
+  for (int done = 1; done < solves; ++done) {
+    progress.report("normals", static_cast<double>(done) / solves);
     correct_for_oblique_cuts(function.gradients(boundary), contours, built);
     function = solve();
   }
-  if (options.smoothing == 0) report.largest_residual = fitter.largest_residual(function, built.constraints.values);
   return function;
 }
 
@@ -177,10 +180,11 @@ Reconstruction reconstruct(const ContourStack& contours, const ReconstructOption
   report.constraint_seconds = constraint_watch.seconds();
 
   const Stopwatch solve_watch;
-  ImplicitFunction function = fit(built, contours, options, progress, report);
+  Eigen::VectorXd weights;
+  ImplicitFunction function = fit(built, contours, options, options.solves, progress, weights, report);
   for (int round = 0; round < options.plane_check_rounds; ++round) {
     if (!add_disagreements(function, contours, progress, built, report)) break;
-    function = fit(built, contours, options, progress, report);
+    function = fit(built, contours, options, options.solves, progress, weights, report);
   }
   report.solve_seconds = solve_watch.seconds();
 
@@ -205,11 +209,16 @@ Reconstruction reconstruct_turk_obrien(const SliceStack& images, double level, c
   require_two_slices(pairs > 0 ? images.slices.size() : 0, images.slices.size(), images.name);
 
   const Stopwatch solve_watch;
-  const Fitter fitter(set, images.slices.front().pose.spacing_mm.minCoeff(), options, progress);
-  describe(fitter, static_cast<std::size_t>(set.values.size()), result.report);
-  const ImplicitFunction function = fitter.solve(set.values);
+  const double pixel_mm = images.slices.front().pose.spacing_mm.minCoeff();
+  InterpolationSolver solver(with_smoothing(set, options.smoothing), interpolation_options(options, pixel_mm),
+                             progress);
+  describe(solver, static_cast<std::size_t>(set.values.size()), result.report);
+  SolveReport reached;
+  const RadialWeights solution = solver.solve(set.values, {}, reached, progress);
+  describe(reached, images.name, options, result.report);
+  const ImplicitFunction function(options.kernel, solver.merged().set.points, solution,
+                                  options.solve_tolerance_pixels * pixel_mm);
   result.report.solves = 1;
-  if (options.smoothing == 0) result.report.largest_residual = fitter.largest_residual(function, set.values);
   result.report.solve_seconds = solve_watch.seconds();
 
   SurfaceRequest request;

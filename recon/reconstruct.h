@@ -10,17 +10,21 @@
 #include "recon/geometry/slice.h"
 #include "recon/geometry/triangle_mesh.h"
 #include "recon/kernels/kernel.h"
+#include "recon/solvers/interpolation_solver.h"
 
 namespace isostack {
 
 struct ReconstructOptions {
   Kernel kernel = triharmonic();
-  double smoothing = 0;                 ///< ρ of every constraint; 0 interpolates
-  double offset_pixels = 1;             ///< distance of the partners inside and outside the contour
-  int solves = 3;                       ///< solves that settle the oblique cuts; 1 leaves them uncorrected
-  int plane_check_rounds = 3;           ///< repairs at most, after comparing f with the segmentation on every plane
-  std::size_t max_constraints = 9'000;  ///< contours are thinned to what the dense solver can hold
-  double resolution_mm = 0;             ///< cell size of the surface; 0: the pixel size, at least 1/400 of the diagonal
+  double smoothing = 0;        ///< ρ of every constraint; 0 interpolates
+  double offset_pixels = 1;    ///< distance of the partners inside and outside the contour
+  int solves = 3;              ///< solves that settle the oblique cuts; 1 leaves them uncorrected
+  int plane_check_rounds = 3;  ///< repairs at most, after comparing f with the segmentation on every plane
+  SolverChoice solver = SolverChoice::automatic;  ///< dense, fast, or whichever takes less time
+  double solve_tolerance_pixels = 1e-3;           ///< largest residual of the fast solver
+  bool accept_residual = false;                   ///< go on with the best solution when the solve stalls
+  std::size_t max_constraints = 12'000;           ///< contours are thinned to this many
+  double resolution_mm = 0;  ///< cell size of the surface; 0: the pixel size, at least 1/400 of the diagonal
   std::size_t memory_limit_bytes = std::size_t{8} << 30;
 };
 
@@ -33,7 +37,9 @@ struct ReconstructReport {
   double largest_contradiction = 0;      ///< largest difference of values that were averaged by that
   std::size_t solver_bytes = 0;          ///< predicted
   int solves = 0;
-  double largest_residual = 0;  ///< |f − value| over all constraints after the last solve (smoothing 0)
+  std::string solver;           ///< "dense" or "fast"
+  int iterations = 0;           ///< of the fast solver, all solves together
+  double largest_residual = 0;  ///< of the system after the last solve, mm
   double resolution_mm = 0;
   std::size_t contour_points_without_surface = 0;
   std::size_t plane_points = 0;        ///< lattice points compared with the segmentation, all planes together

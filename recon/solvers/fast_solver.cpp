@@ -1,0 +1,278 @@
+#include "recon/solvers/fast_solver.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include "recon/geometry/errors.h"
+#include "recon/solvers/box_tree.h"
+#include "recon/solvers/spanned_space.h"
+
+namespace isostack {
+
+namespace {
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// Orders at which the operator stays definite and a sweep gains three digits, by measurement.
+FastSumOptions inner_options(const Kernel& kernel, Eigen::Index count) {
+  FastSumOptions options;
+  options.far_field.order = kernel.power >= 3 ? (count > 400'000 ? 9 : 8) : kernel.power == 2 ? 7 : 6;
+  options.leaf_size = 90;
+  return options;
+}
+
+FastSumOptions outer_options(const Kernel& kernel, double tolerance) {
+  FastSumOptions options;
+  options.far_field.order = kernel.power >= 3 && tolerance < 1e-4 ? 12 : kernel.power >= 2 ? 10 : 9;
+  options.leaf_size = kernel.power >= 3 ? 200 : 150;
+  return options;
+}
+
+/// Constraints to check: a fixed sample in ascending order, all if they are fewer.
+std::vector<std::uint32_t> fixed_sample(std::size_t count, std::size_t wanted) {
+  std::vector<std::uint32_t> sample(count);
+  for (std::uint32_t k = 0; k < count; ++k) sample[k] = k;
+  if (count <= wanted) return sample;
+  std::mt19937 random(20240607);
+  for (std::size_t k = 0; k < wanted; ++k) std::swap(sample[k], sample[k + random() % (count - k)]);
+  sample.resize(wanted);
+  std::sort(sample.begin(), sample.end());
+  return sample;
+}
+
+std::string place_of(const Eigen::VectorXd& point) {
+  std::ostringstream text;
+  text << "(";
+  for (Eigen::Index a = 0; a < point.size(); ++a) text << (a ? ", " : "") << point[a];
+  text << ")";
+  return text.str();
+}
+
+}  // namespace
+
+struct FastSolver::Iteration {
+  Eigen::VectorXd weights;
+  Eigen::VectorXd residual;  ///< without its polynomial part
+  Eigen::VectorXd tail;      ///< coefficients of that part
+  int iterations = 0;
+  bool indefinite = false;
+};
+
+FastSolver::FastSolver(const Kernel& kernel, const Eigen::MatrixXd& points, const Eigen::VectorXd& smoothing,
+                       const FastSolverOptions& options, const Progress& progress)
+    : kernel_(kernel), options_(options), basis_(kernel.tail_degree, points) {
+  const std::size_t needed = required_bytes(static_cast<std::size_t>(points.cols()), kernel);
+  if (needed > options.memory_limit_bytes)
+    throw SolveError("solver",
+                     "some " + std::to_string(needed >> 20) + " MB are needed for " + std::to_string(points.cols()) +
+                         " constraints, more than the limit of " + std::to_string(options.memory_limit_bytes >> 20) +
+                         " MB",
+                     "raise the memory limit or use fewer slices");
+  const Eigen::MatrixXd spanned = reduced_to_span(points);
+  order_ = curve_order(spanned);
+  places_.resize(points.rows(), points.cols());
+  points_.resize(spanned.rows(), points.cols());
+  smoothing_.resize(smoothing.size());
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    places_.col(column) = points.col(order_[k]);
+    points_.col(column) = spanned.col(order_[k]);
+    if (smoothing.size() > 0) smoothing_[column] = smoothing[order_[k]];
+  }
+  Stopwatch tail_watch;
+  tail_.emplace(basis_, places_);
+  stages_.push_back({"tail", tail_watch.seconds(), 0});
+  Stopwatch factor_watch;
+  preconditioner_.emplace(kernel_, points_, smoothing_, tail_->determining_points(), options_.preconditioner, progress);
+  stages_.push_back({"precondition", factor_watch.seconds(), preconditioner_->bytes()});
+  inner_options_ = options_.inner.value_or(inner_options(kernel, points.cols()));
+  outer_options_ = options_.outer.value_or(outer_options(kernel, options_.tolerance));
+}
+
+Eigen::VectorXd FastSolver::system_times(KernelOperator& product, const Eigen::VectorXd& weights) const {
+  Eigen::VectorXd result = kernel_.sign() * product.times(weights);
+  if (smoothing_.size() > 0) result += smoothing_.cwiseProduct(weights);
+  return result;
+}
+
+/// Conjugate gradients from residual to a correction of the weights, until the residual is below `target`.
+bool FastSolver::iterate(Iteration& state, double target, int most, const Progress& progress) {
+  Eigen::VectorXd z = preconditioner_->apply(state.residual);
+  Eigen::VectorXd direction = z;
+  double rz = dot(state.residual, z);
+  const double start = state.residual.cwiseAbs().maxCoeff();
+  for (int k = 0; k < most; ++k) {
+    Eigen::VectorXd image = system_times(*inner_, direction);
+    const double curvature = dot(direction, image);
+    if (!(curvature > 0)) {
+      state.indefinite = true;
+      return false;
+    }
+    const double step = rz / curvature;
+    state.weights += step * direction;
+    state.residual -= step * image;
+    state.tail += tail_->remove_from(state.residual);
+    ++state.iterations;
+    const double largest = state.residual.cwiseAbs().maxCoeff();
+    progress.report("solve", std::clamp(std::log(start / largest) / std::log(start / target), 0.0, 1.0));
+    if (largest <= target) return true;
+    z = preconditioner_->apply(state.residual);
+    const double next = dot(state.residual, z);
+    direction = z + next / rz * direction;
+    rz = next;
+  }
+  return false;
+}
+
+/// The product that corrects: every term for few points, where that costs no more.
+Eigen::VectorXd FastSolver::accurate_times(const Eigen::VectorXd& weights) {
+  if (outer_is_direct()) {
+    Eigen::VectorXd result =
+        kernel_.sign() * direct_rows(kernel_, points_, weights, fixed_sample(order_.size(), order_.size()));
+    if (smoothing_.size() > 0) result += smoothing_.cwiseProduct(weights);
+    return result;
+  }
+  if (!outer_) outer_.emplace(kernel_, points_, outer_options_);
+  return system_times(*outer_, weights);
+}
+
+/// A more accurate product, when the present one hides what is left of the residual.
+bool FastSolver::raise_outer_order() {
+  constexpr int most_order = 14;
+  if (outer_is_direct() || outer_options_.far_field.order + 2 > most_order) return false;
+  outer_options_.far_field.order += 2;
+  outer_options_.far_field.most_order = std::max(outer_options_.far_field.most_order, outer_options_.far_field.order);
+  outer_.reset();
+  return true;
+}
+
+/// The residual by the accurate product, its polynomial part moved to the tail.
+void FastSolver::correct(Iteration& state, const Eigen::VectorXd& values) {
+  state.residual = values;
+  if (!state.weights.isZero(0)) state.residual -= accurate_times(state.weights);
+  state.tail = tail_->remove_from(state.residual);
+}
+
+Solution FastSolver::solve(const Eigen::VectorXd& values, const Eigen::VectorXd& start, const Progress& progress) {
+  Eigen::VectorXd f(values.size());
+  Iteration state;
+  state.weights = Eigen::VectorXd::Zero(values.size());
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    f[static_cast<Eigen::Index>(k)] = kernel_.sign() * values[order_[k]];
+    if (start.size() > 0) state.weights[static_cast<Eigen::Index>(k)] = start[order_[k]];
+  }
+  if (start.size() > 0) tail_->remove_from(state.weights);  // earlier weights may belong to fewer points
+  Stopwatch watch;
+  Solution solution;
+  refine(state, f, solution, progress);
+  solution.stages.push_back(
+      {"solve", watch.seconds(), (inner_ ? inner_->bytes() : 0) + (outer_ ? outer_->bytes() : 0)});
+  solution.stages.insert(solution.stages.begin(), stages_.begin(), stages_.end());
+  solution.iterations = state.iterations;
+  solution.function.tail = basis_;
+  solution.function.tail_coefficients = kernel_.sign() * state.tail;
+  solution.function.weights.resize(values.size());
+  for (std::size_t k = 0; k < order_.size(); ++k)
+    solution.function.weights[order_[k]] = state.weights[static_cast<Eigen::Index>(k)];
+  return solution;
+}
+
+/// Iterative refinement: sweeps of conjugate gradients between corrections by the accurate product.
+/// Ends with the best weights found in `state`, checked by direct sums.
+void FastSolver::refine(Iteration& state, const Eigen::VectorXd& values, Solution& solution, const Progress& progress) {
+  constexpr int most_sweeps = 8, most_order = 14;
+  Iteration best = state;
+  double least = std::numeric_limits<double>::infinity();
+  const auto accept = [&](double residual) {  // keeps the best state
+    if (residual < least) least = residual, best = state;
+    return residual <= options_.tolerance;
+  };
+  correct(state, values);
+  while (solution.sweeps < most_sweeps && state.iterations < options_.most_iterations) {
+    const double largest = state.residual.cwiseAbs().maxCoeff();
+    if (largest <= 0.9 * options_.tolerance) {
+      if (accept(checked_residual(state, values, solution))) break;
+      if (!raise_outer_order()) break;
+      correct(state, values);
+      continue;
+    }
+    if (!inner_) inner_.emplace(kernel_, points_, inner_options_);
+    const Iteration before = state;
+    const double target = std::max(largest * options_.sweep_reduction, 0.3 * options_.tolerance);
+    const bool reached = iterate(state, target, options_.most_iterations - state.iterations, progress);
+    ++solution.sweeps;
+    if (state.indefinite) {  // too low an order: the interpolated operator is not definite
+      const int iterations = state.iterations;
+      state = before;
+      state.iterations = iterations;
+      if (inner_options_.far_field.order >= most_order) break;
+      ++inner_options_.far_field.order;
+      inner_.reset();
+      continue;
+    }
+    if (reached && target <= 0.3 * options_.tolerance * 1.0001 && accept(checked_residual(state, values, solution)))
+      break;
+    correct(state, values);
+    const double after = state.residual.cwiseAbs().maxCoeff();
+    if (after > 0.5 * largest) {  // stalled: the inner product hides what is left, or the outer one does
+      if (accept(checked_residual(state, values, solution))) break;
+      if (after > largest) {
+        const int iterations = state.iterations;
+        state = before;
+        state.iterations = iterations;
+      }
+      const bool finer = inner_options_.far_field.order + 2 <= most_order;
+      if (finer) {
+        inner_options_.far_field.order += 2;
+        inner_.reset();
+      }
+      if (!raise_outer_order() && !finer) break;
+      correct(state, values);
+    }
+  }
+  if (least == std::numeric_limits<double>::infinity()) accept(checked_residual(state, values, solution));
+  const int iterations = state.iterations;
+  state = best;
+  state.iterations = iterations;
+  solution.largest_residual = least;
+  solution.converged = least <= options_.tolerance;
+  if (solution.converged) solution.remark.clear();
+}
+
+/// The largest deviation at a fixed sample of constraints, summed term by term.
+double FastSolver::checked_residual(const Iteration& state, const Eigen::VectorXd& values, Solution& solution) const {
+  const auto sample = fixed_sample(order_.size(), static_cast<std::size_t>(options_.checked_constraints));
+  const Eigen::VectorXd sums = direct_rows(kernel_, points_, state.weights, sample);
+  Eigen::MatrixXd at(places_.rows(), sums.size());
+  Eigen::VectorXd residual(sums.size());
+  for (Eigen::Index k = 0; k < sums.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(sample[static_cast<std::size_t>(k)]);
+    at.col(k) = places_.col(i);
+    residual[k] = values[i] - kernel_.sign() * sums[k];
+    if (smoothing_.size() > 0) residual[k] -= smoothing_[i] * state.weights[i];
+  }
+  residual -= basis_.values(at) * state.tail;
+  Eigen::Index worst = 0;
+  const double largest = residual.cwiseAbs().maxCoeff(&worst);
+  solution.remark = "the largest residual is at " + place_of(at.col(worst)) +
+                    "; near it constraints contradict each other or lie too close together";
+  return largest;
+}
+
+std::size_t FastSolver::required_bytes(std::size_t constraint_count, const Kernel& kernel) {
+  return (std::size_t{16} << 20) + constraint_count * (kernel.power >= 3 ? 4000 : 2700);
+}
+
+}  // namespace isostack

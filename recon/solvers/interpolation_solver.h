@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+
+#include "recon/constraints/constraint_set.h"
+#include "recon/constraints/merge.h"
+#include "recon/solvers/dense_solver.h"
+#include "recon/solvers/fast_solver.h"
+
+namespace isostack {
+
+enum class SolverChoice { automatic, dense, fast };
+
+struct InterpolationOptions {
+  Kernel kernel = triharmonic();
+  SolverChoice solver = SolverChoice::automatic;  ///< automatic: fast from 8,000 constraints on
+  double tolerance = 1e-4;                        ///< largest residual of the fast solver, in the values' units
+  double merge_distance = 0;                      ///< points nearer than this become one
+  std::size_t memory_limit_bytes = std::size_t{8} << 30;
+};
+
+/// What the last solve reached.
+struct SolveReport {
+  std::string solver;
+  double largest_residual = 0;
+  bool converged = true;
+  int iterations = 0;
+  std::string remark;  ///< where and why, when it did not converge
+};
+
+/// Solves one set of constraints, whose values may change from solve to solve, by the dense or
+/// the fast solver. Coinciding points are merged before.
+class InterpolationSolver {
+ public:
+  /// Throws SolveError when the solve would not fit into memory or the system is singular.
+  InterpolationSolver(const ConstraintSet& constraints, const InterpolationOptions& options,
+                      const Progress& progress = {});
+
+  /// One value per constraint as given. Each solve starts from the last one's solution; `start` (or
+  /// an empty vector) serves the first: weights at the leading merged points.
+  RadialWeights solve(const Eigen::VectorXd& values, const Eigen::VectorXd& start, SolveReport& report,
+                      const Progress& progress = {});
+
+  const MergedConstraints& merged() const { return merged_; }
+  std::size_t predicted_bytes() const;
+  static bool uses_fast(SolverChoice choice, std::size_t constraint_count);
+
+ private:
+  InterpolationOptions options_;
+  MergedConstraints merged_;
+  std::unique_ptr<DenseSolver> dense_;
+  std::unique_ptr<FastSolver> fast_;
+  Eigen::VectorXd last_weights_;
+};
+
+}  // namespace isostack
