@@ -9,6 +9,7 @@
 #include "recon/geometry/errors.h"
 #include "recon/solvers/direct_sum.h"
 #include "recon/solvers/lapack.h"
+#include "recon/solvers/memory_limit.h"
 
 namespace isostack {
 
@@ -52,13 +53,7 @@ DenseSolver::DenseSolver(const Kernel& kernel, const Eigen::MatrixXd& points, co
                          const Options& options, const Progress& progress)
     : kernel_(kernel), points_(points), smoothing_(smoothing), tail_(kernel.tail_degree, points) {
   const auto count = static_cast<std::size_t>(points.cols());
-  const std::size_t bytes = required_bytes(count);
-  if (bytes > options.memory_limit_bytes)
-    throw SolveError(
-        "dense solve",
-        fmt::format("{} constraints need {:.1f} GB and {:.1f} GB are allowed", count, static_cast<double>(bytes) / 1e9,
-                    static_cast<double>(options.memory_limit_bytes) / 1e9),
-        "allow more with --memory or use fewer constraints");
+  require_memory(count, required_bytes(count), options.memory_limit_bytes);
   const Eigen::MatrixXd monomials = tail_.values(points);
   kept_ = independent_columns(monomials);
   tail_values_ = monomials(Eigen::all, kept_);

@@ -8,8 +8,8 @@
 #include <random>
 #include <sstream>
 
-#include "recon/geometry/errors.h"
 #include "recon/solvers/box_tree.h"
+#include "recon/solvers/memory_limit.h"
 #include "recon/solvers/spanned_space.h"
 
 namespace isostack {
@@ -73,13 +73,8 @@ struct FastSolver::Iteration {
 FastSolver::FastSolver(const Kernel& kernel, const Eigen::MatrixXd& points, const Eigen::VectorXd& smoothing,
                        const FastSolverOptions& options, const Progress& progress)
     : kernel_(kernel), options_(options), basis_(kernel.tail_degree, points) {
-  const std::size_t needed = required_bytes(static_cast<std::size_t>(points.cols()), kernel);
-  if (needed > options.memory_limit_bytes)
-    throw SolveError("solver",
-                     "some " + std::to_string(needed >> 20) + " MB are needed for " + std::to_string(points.cols()) +
-                         " constraints, more than the limit of " + std::to_string(options.memory_limit_bytes >> 20) +
-                         " MB",
-                     "raise the memory limit or use fewer slices");
+  const auto count = static_cast<std::size_t>(points.cols());
+  require_memory(count, required_bytes(count, kernel), options.memory_limit_bytes);
   const Eigen::MatrixXd spanned = reduced_to_span(points);
   order_ = curve_order(spanned);
   places_.resize(points.rows(), points.cols());
