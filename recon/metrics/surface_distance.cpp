@@ -31,10 +31,12 @@ struct ClosestTriangle {
   using Scalar = double;
   const TriangleMesh& mesh;
   Eigen::Vector3d point;
+  // NOLINTBEGIN(readability-identifier-naming): Eigen calls them so.
   double minimumOnVolume(const Box& box) const { return box.squaredExteriorDistance(point); }
   double minimumOnObject(int triangle) const {
     return (closest_point_on_triangle(corners_of(mesh, triangle), point) - point).squaredNorm();
   }
+  // NOLINTEND(readability-identifier-naming)
 };
 
 void require_triangles(const TriangleMesh& mesh) {

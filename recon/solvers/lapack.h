@@ -1,6 +1,7 @@
 #pragma once
 
 // The few BLAS and LAPACK routines the dense solver needs (Fortran interface, column-major).
+// NOLINTBEGIN(readability-identifier-naming): the names are theirs.
 extern "C" {
 void dsymm_(const char* side, const char* uplo, const int* m, const int* n, const double* alpha, const double* a,
             const int* lda, const double* b, const int* ldb, const double* beta, double* c, const int* ldc);
@@ -10,3 +11,4 @@ void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* inf
 void dpotrs_(const char* uplo, const int* n, const int* nrhs, const double* a, const int* lda, double* b,
              const int* ldb, int* info);
 }
+// NOLINTEND(readability-identifier-naming)

@@ -36,7 +36,8 @@ bool goes_on(const StackEnd& end, double distance_mm, const std::vector<Eigen::V
   constexpr int nodes = 64;  // along each side
   Eigen::MatrixXd points(3, nodes * nodes);
   for (int i = 0; i < nodes * nodes; ++i) {
-    const Eigen::Vector2d fraction((i % nodes) / (nodes - 1.0), (i / nodes) / (nodes - 1.0));
+    const int column = i % nodes, row = i / nodes;
+    const Eigen::Vector2d fraction(column / (nodes - 1.0), row / (nodes - 1.0));
     const Eigen::Vector2d in_slice = region.min() + fraction.cwiseProduct(region.sizes());
     points.col(i) = end.pose.slice_to_world(in_slice) + distance_mm * end.outwards;
   }
