@@ -184,7 +184,7 @@ Reconstruction reconstruct(const ContourStack& contours, const ReconstructOption
   ImplicitFunction function = fit(built, contours, options, options.solves, progress, weights, report);
   for (int round = 0; round < options.plane_check_rounds; ++round) {
     if (!add_disagreements(function, contours, progress, built, report)) break;
-    function = fit(built, contours, options, options.solves, progress, weights, report);
+    function = fit(built, contours, options, std::min(options.solves, 3), progress, weights, report);
   }
   report.solve_seconds = solve_watch.seconds();
 

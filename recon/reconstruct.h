@@ -18,7 +18,7 @@ struct ReconstructOptions {
   Kernel kernel = triharmonic();
   double smoothing = 0;        ///< ρ of every constraint; 0 interpolates
   double offset_pixels = 1;    ///< distance of the partners inside and outside the contour
-  int solves = 3;              ///< solves that settle the oblique cuts; 1 leaves them uncorrected
+  int solves = 5;              ///< solves that settle the oblique cuts; 1 leaves them uncorrected
   int plane_check_rounds = 3;  ///< repairs at most, after comparing f with the segmentation on every plane
   SolverChoice solver = SolverChoice::automatic;  ///< dense, fast, or whichever takes less time
   double solve_tolerance_pixels = 1e-3;           ///< largest residual of the fast solver

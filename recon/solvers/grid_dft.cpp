@@ -331,9 +331,9 @@ TranslationTable::TranslationTable(const RadialFunction& function, const NodeGri
         for (int c = 0; c < n[2]; ++c, ++q) {
           for (std::size_t lane = 0; lane < sibling_lanes; ++lane) {
             const auto offset = static_cast<int>(offsets[std::min(group * sibling_lanes + lane, count_ - 1)]);
-            const double x = difference(0, a) - (offset / 49 - 3) * cell_width,
-                         y = difference(1, b) - (offset / 7 % 7 - 3) * cell_width,
-                         z = difference(2, c) - (offset % 7 - 3) * cell_width;
+            const int i = offset / 49 - 3, j = offset / 7 % 7 - 3, k = offset % 7 - 3;
+            const double x = difference(0, a) - i * cell_width, y = difference(1, b) - j * cell_width,
+                         z = difference(2, c) - k * cell_width;
             squared[lane] = x * x + y * y + z * z;
           }
           HWY_DYNAMIC_DISPATCH(kernel_lanes)(function, squared, values.data() + q * sibling_lanes);

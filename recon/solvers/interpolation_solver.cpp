@@ -52,7 +52,7 @@ RadialWeights InterpolationSolver::solve(const Eigen::VectorXd& values, const Ei
                                          SolveReport& report, const Progress& progress) {
   const Eigen::VectorXd merged_values = merged_.merged(values);
   if (dense_) {
-    const RadialWeights solution = dense_->solve(merged_values);
+    RadialWeights solution = dense_->solve(merged_values);
     report = {.solver = "dense",
               .largest_residual = largest_residual(options_.kernel, merged_.set, merged_values, solution),
               .converged = true,
