@@ -7,6 +7,6 @@ cd "$top"
 cmake/install-packages.sh
 preset=release
 [ "${CI:-}" = true ] && preset=ci
-cmake --preset "$preset"
+cmake --preset "$preset" -DISOSTACK_BUILD_TESTS=ON
 cmake --build --preset "$preset"
-exec xvfb-run -a -s '-screen 0 1600x1200x24' ctest --preset "$preset" -j2 "$@"
+exec xvfb-run -a -s '-screen 0 1600x1200x24' ctest --preset "$preset" --no-tests=error -j2 "$@"
