@@ -4,17 +4,34 @@
 
 namespace isostack::cli {
 
+namespace {
+
+nlohmann::json to_json(const std::vector<SolveStage>& stages) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const SolveStage& stage : stages)
+    list.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"bytes", stage.bytes}});
+  return list;
+}
+
+}  // namespace
+
 nlohmann::json to_json(const ReconstructReport& report) {
   return {{"contour_points", report.contour_points},
           {"boundary_constraints", report.boundary_constraints},
           {"constraints", report.constraints},
           {"merged_constraints", report.merged_constraints},
           {"largest_contradiction_mm", report.largest_contradiction},
-          {"solver_bytes", report.solver_bytes},
+          {"predicted_bytes", report.predicted_bytes},
+          {"peak_bytes", report.peak_bytes},
           {"solver", report.solver},
-          {"iterations", report.iterations},
           {"solves", report.solves},
+          {"iterations", report.iterations},
+          {"sweeps", report.sweeps},
+          {"tolerance_mm", report.tolerance},
           {"largest_residual_mm", report.largest_residual},
+          {"converged", report.converged},
+          {"residual_remark", report.residual_remark},
+          {"solve_stages", to_json(report.solve_stages)},
           {"resolution_mm", report.resolution_mm},
           {"contour_points_without_surface", report.contour_points_without_surface},
           {"plane_check",

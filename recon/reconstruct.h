@@ -35,11 +35,15 @@ struct ReconstructReport {
   std::size_t constraints = 0;           ///< solved for, at different points
   std::size_t merged_constraints = 0;    ///< left out because they coincide with another
   double largest_contradiction = 0;      ///< largest difference of values that were averaged by that
-  std::size_t solver_bytes = 0;          ///< predicted
+  std::size_t predicted_bytes = 0;       ///< of the solver, known before it starts
   int solves = 0;
-  std::string solver;           ///< "dense" or "fast"
-  int iterations = 0;           ///< of the fast solver, all solves together
-  double largest_residual = 0;  ///< of the system after the last solve, mm
+  std::string solver;                    ///< "dense" or "fast"
+  int iterations = 0, sweeps = 0;        ///< of the fast solver, all solves together
+  double tolerance = 0;                  ///< residual asked for, mm
+  double largest_residual = 0;           ///< of the system after the last solve, mm
+  bool converged = true;                 ///< the last solve met the tolerance
+  std::string residual_remark;           ///< where and why, when it did not
+  std::vector<SolveStage> solve_stages;  ///< seconds of all solves together, largest bytes
   double resolution_mm = 0;
   std::size_t contour_points_without_surface = 0;
   std::size_t plane_points = 0;        ///< lattice points compared with the segmentation, all planes together
@@ -48,6 +52,7 @@ struct ReconstructReport {
   bool open_end = false;               ///< the organ is cut by the end of the stack: the surface is flat there
   bool cut_by_bounds = false;          ///< flat there, or cut at the box round the contours
   double constraint_seconds = 0, solve_seconds = 0, surface_seconds = 0;
+  std::size_t peak_bytes = 0;  ///< of the whole process
 };
 
 struct Reconstruction {

@@ -8,27 +8,40 @@ namespace isostack {
 
 namespace {
 
-/// Representative of each point: itself or an earlier point within the tolerance. Points are
-/// swept along the first axis, where only neighbours within the tolerance are compared.
+/// Places along a direction that no slice, axis or diagonal is perpendicular to, so that few points
+/// share a place. No two points are farther apart there than they are.
+Eigen::VectorXd places_along_skew_line(const Eigen::MatrixXd& points) {
+  const Eigen::VectorXd direction =
+      Eigen::VectorXd::NullaryExpr(points.rows(), [](Eigen::Index axis) { return 1 / std::sqrt(2.0 + 3.7 * axis); });
+  return (points.colwise() - points.col(0)).transpose() * direction.normalized();
+}
+
+/// Representative of each point: the first in its group. Points are swept along a line, where only neighbours within
+/// the tolerance are compared.
 std::vector<Eigen::Index> representatives(const Eigen::MatrixXd& points, double tolerance) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(points.cols()));
+  if (order.empty()) return {};
+  const Eigen::VectorXd place = places_along_skew_line(points);
+  const double reach = tolerance + 1e-14 * (place.maxCoeff() - place.minCoeff());  // rounding of the places
   std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
-    for (Eigen::Index axis = 0; axis < points.rows(); ++axis)
-      if (points(axis, a) != points(axis, b)) return points(axis, a) < points(axis, b);
-    return a < b;
-  });
-  std::vector<Eigen::Index> representative(order.size());
+  std::sort(order.begin(), order.end(),
+            [&](Eigen::Index a, Eigen::Index b) { return place[a] != place[b] ? place[a] < place[b] : a < b; });
+  std::vector<Eigen::Index> representative(order.size()), first(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Eigen::Index here = order[i];
-    representative[static_cast<std::size_t>(here)] = here;
-    for (std::size_t j = i; j-- > 0 && points(0, here) - points(0, order[j]) <= tolerance;) {
+    Eigen::Index& mine = representative[static_cast<std::size_t>(here)] = here;
+    for (std::size_t j = i; j-- > 0 && place[here] - place[order[j]] <= reach;) {
       const Eigen::Index other = representative[static_cast<std::size_t>(order[j])];
       if ((points.col(here) - points.col(other)).norm() > tolerance) continue;
-      representative[static_cast<std::size_t>(here)] = other;
+      mine = other;
       break;
     }
   }
+  // Points added to a set later never displace the earlier ones.
+  std::iota(first.begin(), first.end(), Eigen::Index{0});
+  for (std::size_t i = order.size(); i-- > 0;)
+    first[static_cast<std::size_t>(representative[i])] = static_cast<Eigen::Index>(i);
+  for (Eigen::Index& one : representative) one = first[static_cast<std::size_t>(one)];
   return representative;
 }
 

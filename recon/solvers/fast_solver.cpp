@@ -3,11 +3,12 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <random>
 #include <sstream>
 
+#include "recon/geometry/errors.h"
+#include "recon/geometry/stopwatch.h"
 #include "recon/solvers/box_tree.h"
 #include "recon/solvers/memory_limit.h"
 #include "recon/solvers/spanned_space.h"
@@ -16,28 +17,17 @@ namespace isostack {
 
 namespace {
 
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
-
-/// Orders at which the operator stays definite and a sweep gains three digits, by measurement.
-FastSumOptions inner_options(const Kernel& kernel, Eigen::Index count) {
-  FastSumOptions options;
-  options.far_field.order = kernel.power >= 3 ? (count > 400'000 ? 9 : 8) : kernel.power == 2 ? 7 : 6;
-  options.leaf_size = 90;
-  return options;
+/// Orders at which the operator stays definite and a sweep gains three digits, by measurement. The smoother
+/// r³ needs a steep growth: its values at coarse cells are the largest, and their errors with them.
+FastSumOptions inner_options(const Kernel& kernel) {
+  if (kernel.power >= 3) return {.far_field = {.order = 7, .order_growth = 2, .most_order = 20}, .leaf_size = 90};
+  return {.far_field = {.order = kernel.power == 2 ? 7 : 6, .order_growth = 1, .most_order = 13}, .leaf_size = 90};
 }
 
 FastSumOptions outer_options(const Kernel& kernel, double tolerance) {
-  FastSumOptions options;
-  options.far_field.order = kernel.power >= 3 && tolerance < 1e-4 ? 12 : kernel.power >= 2 ? 10 : 9;
-  options.leaf_size = kernel.power >= 3 ? 200 : 150;
-  return options;
+  if (kernel.power >= 3)
+    return {.far_field = {.order = tolerance < 1e-4 ? 9 : 8, .order_growth = 2, .most_order = 20}, .leaf_size = 90};
+  return {.far_field = {.order = kernel.power == 2 ? 10 : 9, .order_growth = 1, .most_order = 14}, .leaf_size = 150};
 }
 
 /// Constraints to check: a fixed sample in ascending order, all if they are fewer.
@@ -50,6 +40,13 @@ std::vector<std::uint32_t> fixed_sample(std::size_t count, std::size_t wanted) {
   sample.resize(wanted);
   std::sort(sample.begin(), sample.end());
   return sample;
+}
+
+const Eigen::MatrixXd& require_points(const Eigen::MatrixXd& points) {
+  if (points.cols() == 0 || !points.allFinite())
+    throw InputError("solve", "the constraints are none, or some of their coordinates are not numbers",
+                     "give finite points");
+  return points;
 }
 
 std::string place_of(const Eigen::VectorXd& point) {
@@ -72,9 +69,9 @@ struct FastSolver::Iteration {
 
 FastSolver::FastSolver(const Kernel& kernel, const Eigen::MatrixXd& points, const Eigen::VectorXd& smoothing,
                        const FastSolverOptions& options, const Progress& progress)
-    : kernel_(kernel), options_(options), basis_(kernel.tail_degree, points) {
-  const auto count = static_cast<std::size_t>(points.cols());
-  require_memory(count, required_bytes(count, kernel), options.memory_limit_bytes);
+    : kernel_(kernel), options_(options), basis_(kernel.tail_degree, require_points(points)) {
+  predicted_bytes_ = required_bytes(points, kernel, options.preconditioner);
+  require_memory(static_cast<std::size_t>(points.cols()), predicted_bytes_, options.memory_limit_bytes);
   const Eigen::MatrixXd spanned = reduced_to_span(points);
   order_ = curve_order(spanned);
   places_.resize(points.rows(), points.cols());
@@ -92,7 +89,7 @@ FastSolver::FastSolver(const Kernel& kernel, const Eigen::MatrixXd& points, cons
   Stopwatch factor_watch;
   preconditioner_.emplace(kernel_, points_, smoothing_, tail_->determining_points(), options_.preconditioner, progress);
   stages_.push_back({"precondition", factor_watch.seconds(), preconditioner_->bytes()});
-  inner_options_ = options_.inner.value_or(inner_options(kernel, points.cols()));
+  inner_options_ = options_.inner.value_or(inner_options(kernel));
   outer_options_ = options_.outer.value_or(outer_options(kernel, options_.tolerance));
 }
 
@@ -187,7 +184,7 @@ Solution FastSolver::solve(const Eigen::VectorXd& values, const Eigen::VectorXd&
 /// Iterative refinement: sweeps of conjugate gradients between corrections by the accurate product.
 /// Ends with the best weights found in `state`, checked by direct sums.
 void FastSolver::refine(Iteration& state, const Eigen::VectorXd& values, Solution& solution, const Progress& progress) {
-  constexpr int most_sweeps = 8, most_order = 14;
+  constexpr int most_sweeps = 8, most_order = 12;
   Iteration best = state;
   double least = std::numeric_limits<double>::infinity();
   const auto accept = [&](double residual) {  // keeps the best state
@@ -195,6 +192,10 @@ void FastSolver::refine(Iteration& state, const Eigen::VectorXd& values, Solutio
     return residual <= options_.tolerance;
   };
   correct(state, values);
+  if (state.weights.isZero(0)) {  // nothing worse than the tail alone is an answer
+    least = state.residual.cwiseAbs().maxCoeff();
+    best = state;
+  }
   while (solution.sweeps < most_sweeps && state.iterations < options_.most_iterations) {
     const double largest = state.residual.cwiseAbs().maxCoeff();
     if (largest <= 0.9 * options_.tolerance) {
@@ -237,7 +238,7 @@ void FastSolver::refine(Iteration& state, const Eigen::VectorXd& values, Solutio
       correct(state, values);
     }
   }
-  if (least == std::numeric_limits<double>::infinity()) accept(checked_residual(state, values, solution));
+  if (least > options_.tolerance) accept(checked_residual(state, values, solution));
   const int iterations = state.iterations;
   state = best;
   state.iterations = iterations;
@@ -259,15 +260,28 @@ double FastSolver::checked_residual(const Iteration& state, const Eigen::VectorX
     if (smoothing_.size() > 0) residual[k] -= smoothing_[i] * state.weights[i];
   }
   residual -= basis_.values(at) * state.tail;
-  Eigen::Index worst = 0;
-  const double largest = residual.cwiseAbs().maxCoeff(&worst);
-  solution.remark = "the largest residual is at " + place_of(at.col(worst)) +
-                    "; near it constraints contradict each other or lie too close together";
-  return largest;
+  Eigen::Index heaviest = 0;  // the residual itself is noise by then: the weights point at the cause
+  state.weights.cwiseAbs().maxCoeff(&heaviest);
+  solution.remark =
+      state.iterations >= options_.most_iterations
+          ? "the iterations allowed (" + std::to_string(options_.most_iterations) + ") are used up"
+          : "near " + place_of(places_.col(heaviest)) + " constraints contradict each other or lie too close together";
+  return residual.cwiseAbs().maxCoeff();
 }
 
-std::size_t FastSolver::required_bytes(std::size_t constraint_count, const Kernel& kernel) {
-  return (std::size_t{16} << 20) + constraint_count * (kernel.power >= 3 ? 4000 : 2700);
+/// By measurement from 3,000 to 10⁶ constraints, with some room: tables per pair of layers, cells of the
+/// products per point and layer, entries of the preconditioner (levels above the finest add 40 %).
+std::size_t FastSolver::required_bytes(const Eigen::MatrixXd& points, const Kernel& kernel,
+                                       const CoarseToFineOptions& preconditioner) {
+  const auto count = static_cast<std::size_t>(points.cols());
+  const auto entries = static_cast<std::size_t>(1.45 * preconditioner.neighbours) + 1;
+  const std::size_t held = count * (400 + entries * (sizeof(double) + sizeof(std::uint32_t)));
+  const std::size_t layers = KernelOperator::layer_count(points);
+  const double levels =
+      std::min(1.0, static_cast<double>(count) / (25'000.0 * static_cast<double>(std::max<std::size_t>(layers, 1))));
+  const auto table = static_cast<std::size_t>(levels * (kernel.power >= 3 ? 90e6 : 60e6));
+  const std::size_t cells = kernel.power >= 3 ? 2400 : kernel.power == 2 ? 1900 : 1400;
+  return (std::size_t{16} << 20) + held + layers * layers * table + layers * count * cells;
 }
 
 }  // namespace isostack

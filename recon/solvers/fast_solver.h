@@ -57,7 +57,14 @@ class FastSolver {
   /// The best solution reached is returned also when it misses the tolerance.
   Solution solve(const Eigen::VectorXd& values, const Eigen::VectorXd& start = {}, const Progress& progress = {});
 
-  static std::size_t required_bytes(std::size_t constraint_count, const Kernel& kernel);
+  /// Of the solves that follow.
+  void set_tolerance(double tolerance) { options_.tolerance = tolerance; }
+
+  /// What the solve will hold at most, as predicted before it started.
+  std::size_t predicted_bytes() const { return predicted_bytes_; }
+  /// The same for points (n × N) that are not solved for.
+  static std::size_t required_bytes(const Eigen::MatrixXd& points, const Kernel& kernel,
+                                    const CoarseToFineOptions& preconditioner);
 
  private:
   struct Iteration;
@@ -72,6 +79,7 @@ class FastSolver {
 
   Kernel kernel_;
   FastSolverOptions options_;
+  std::size_t predicted_bytes_ = 0;
   std::vector<std::uint32_t> order_;  ///< column of the k-th point along the curve
   Eigen::MatrixXd places_;            ///< the points as given, in that order
   Eigen::MatrixXd points_;            ///< the same in the coordinates they span

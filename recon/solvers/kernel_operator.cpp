@@ -87,6 +87,10 @@ Eigen::VectorXd KernelOperator::times(const Eigen::VectorXd& weights) {
   return result;
 }
 
+std::size_t KernelOperator::layer_count(const Eigen::MatrixXd& points) {
+  return points.cols() > few_points ? PointLayers(points).layers.size() : 0;
+}
+
 std::size_t KernelOperator::bytes() const {
   std::size_t sum = static_cast<std::size_t>(points_.size()) * sizeof(double);
   for (const auto& part : sums_) sum += part->bytes();

@@ -33,6 +33,9 @@ class KernelOperator {
   Eigen::VectorXd times(const Eigen::VectorXd& weights);
   std::size_t bytes() const;
 
+  /// Layers between which the sums are fast; 0 where every term is summed.
+  static std::size_t layer_count(const Eigen::MatrixXd& points);
+
  private:
   Kernel kernel_;
   Eigen::MatrixXd points_;

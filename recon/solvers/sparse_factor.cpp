@@ -3,6 +3,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -88,13 +89,13 @@ SparseFactor::SparseFactor(const Kernel& kernel, const Eigen::MatrixXd& points, 
   start = seconds_now();
 
   const auto count = static_cast<std::size_t>(points.cols());
-  columns_.begin.assign(count + 1, 0);
+  begin_.assign(count + 1, 0);
   for (const CoarseToFine::Level& level : order.levels)
     for (std::size_t q = 0; q < level.points.size(); ++q)
-      columns_.begin[level.points[q] + 1] = level.begin[q + 1] - level.begin[q] + 1;
-  for (std::size_t i = 0; i < count; ++i) columns_.begin[i + 1] += columns_.begin[i];
-  columns_.indices.resize(columns_.begin.back());
-  columns_.values.resize(columns_.begin.back());
+      begin_[level.points[q] + 1] = level.begin[q + 1] - level.begin[q] + 1;
+  for (std::size_t i = 0; i < count; ++i) begin_[i + 1] += begin_[i];
+  indices_.resize(begin_.back());
+  values_.resize(begin_.back());
   std::size_t done = first.size();
   for (CoarseToFine::Level& level : order.levels) {
     fill_level(kernel, points, smoothing, first, level);
@@ -103,9 +104,6 @@ SparseFactor::SparseFactor(const Kernel& kernel, const Eigen::MatrixXd& points, 
     level = {};
   }
   factor_seconds = seconds_now() - start;
-  start = seconds_now();
-  transpose();
-  transpose_seconds = seconds_now() - start;
 }
 
 void SparseFactor::fill_level(const Kernel& kernel, const Eigen::MatrixXd& points, const Eigen::VectorXd& smoothing,
@@ -120,10 +118,10 @@ void SparseFactor::fill_level(const Kernel& kernel, const Eigen::MatrixXd& point
     return column;
   };
   const auto write = [&](const Column& column, const LocalSystems& systems, std::size_t lane, double factor) {
-    const std::uint64_t begin = columns_.begin[column[0]];
+    const std::uint64_t begin = begin_[column[0]];
     for (std::size_t row = 0; row < column.size(); ++row) {
-      columns_.indices[begin + row] = column[row];
-      columns_.values[begin + row] = factor * systems.columns[row * lanes + lane];
+      indices_[begin + row] = column[row];
+      values_[begin + row] = factor * systems.columns[row * lanes + lane];
     }
   };
   tbb::parallel_for(std::size_t{0}, (level.points.size() + lanes - 1) / lanes, [&](std::size_t batch) {
@@ -160,57 +158,48 @@ void SparseFactor::fill_level(const Kernel& kernel, const Eigen::MatrixXd& point
   repaired_ += repaired;
 }
 
-void SparseFactor::transpose() {
-  constexpr std::size_t parts = 16;  // fixed, so that the order of a row's entries is
-  const std::size_t count = columns_.begin.size() - 1;
-  const auto part_begin = [&](std::size_t part) { return count * part / parts; };
-  std::vector<std::vector<std::uint32_t>> counts(parts, std::vector<std::uint32_t>(count, 0));
-  tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
-    for (std::uint64_t k = columns_.begin[part_begin(part)]; k < columns_.begin[part_begin(part + 1)]; ++k)
-      ++counts[part][columns_.indices[k]];
-  });
-  rows_.begin.assign(count + 1, 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    std::uint32_t total = 0;
-    for (std::size_t part = 0; part < parts; ++part) {
-      const std::uint32_t here = counts[part][i];
-      counts[part][i] = total;
-      total += here;
-    }
-    rows_.begin[i + 1] = rows_.begin[i] + total;
-  }
-  rows_.indices.resize(columns_.indices.size());
-  rows_.values.resize(columns_.values.size());
-  tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
-    for (std::size_t c = part_begin(part); c < part_begin(part + 1); ++c)
-      for (std::uint64_t k = columns_.begin[c]; k < columns_.begin[c + 1]; ++k) {
-        const std::uint32_t row = columns_.indices[k];
-        const std::uint64_t place = rows_.begin[row] + counts[part][row]++;
-        rows_.indices[place] = static_cast<std::uint32_t>(c);
-        rows_.values[place] = columns_.values[k];
-      }
-  });
-}
-
-Eigen::VectorXd SparseFactor::Compressed::times(const Eigen::VectorXd& v) const {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(begin.size()) - 1);
-  tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, result.size(), 512), [&](const auto& range) {
-    for (Eigen::Index i = range.begin(); i < range.end(); ++i) {
+/// Uᵀ r: one sum per column.
+Eigen::VectorXd SparseFactor::transposed_times(const Eigen::VectorXd& residual) const {
+  Eigen::VectorXd result(residual.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, begin_.size() - 1, 512), [&](const auto& range) {
+    for (std::size_t column = range.begin(); column < range.end(); ++column) {
       double sum = 0;
-      for (std::uint64_t k = begin[static_cast<std::size_t>(i)]; k < begin[static_cast<std::size_t>(i) + 1]; ++k)
-        sum += values[k] * v[indices[k]];
-      result[i] = sum;
+      for (std::uint64_t k = begin_[column]; k < begin_[column + 1]; ++k) sum += values_[k] * residual[indices_[k]];
+      result[static_cast<Eigen::Index>(column)] = sum;
     }
   });
   return result;
 }
 
+/// U v: every part of the columns is spread over a vector of its own, since a second copy of U by rows
+/// would double the memory. The number of parts is fixed, so that the order of additions is.
+Eigen::VectorXd SparseFactor::times(const Eigen::VectorXd& v) const {
+  constexpr std::size_t parts = 8;
+  const std::size_t count = begin_.size() - 1;
+  std::array<Eigen::VectorXd, parts> sums;
+  tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
+    sums[part] = Eigen::VectorXd::Zero(v.size());
+    double* sum = sums[part].data();
+    for (std::size_t column = count * part / parts; column < count * (part + 1) / parts; ++column) {
+      const double factor = v[static_cast<Eigen::Index>(column)];
+      for (std::uint64_t k = begin_[column]; k < begin_[column + 1]; ++k) sum[indices_[k]] += factor * values_[k];
+    }
+  });
+  Eigen::VectorXd result = std::move(sums[0]);
+  tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, v.size(), 4096), [&](const auto& range) {
+    const Eigen::Index length = static_cast<Eigen::Index>(range.size());
+    for (std::size_t part = 1; part < parts; ++part)
+      result.segment(range.begin(), length) += sums[part].segment(range.begin(), length);
+  });
+  return result;
+}
+
 Eigen::VectorXd SparseFactor::apply(const Eigen::VectorXd& residual) const {
-  return rows_.times(columns_.times(residual));
+  return times(transposed_times(residual));
 }
 
 std::size_t SparseFactor::bytes() const {
-  return 2 * (columns_.indices.size() * (sizeof(std::uint32_t) + sizeof(double)) + columns_.begin.size() * 8);
+  return indices_.size() * (sizeof(std::uint32_t) + sizeof(double)) + begin_.size() * sizeof(std::uint64_t);
 }
 
 }  // namespace isostack

@@ -24,26 +24,23 @@ class SparseFactor {
   /// U Uᵀ r.
   Eigen::VectorXd apply(const Eigen::VectorXd& residual) const;
 
-  std::size_t entry_count() const { return columns_.indices.size(); }
+  std::size_t entry_count() const { return indices_.size(); }
   std::size_t bytes() const;
   /// Columns whose nearest predecessors did not determine the polynomials, or had no definite system.
   std::size_t repaired_count() const { return repaired_; }
 
-  double order_seconds = 0, factor_seconds = 0, transpose_seconds = 0;
+  double order_seconds = 0, factor_seconds = 0;
 
  private:
-  struct Compressed {
-    std::vector<std::uint64_t> begin;
-    std::vector<std::uint32_t> indices;
-    std::vector<double> values;
-    Eigen::VectorXd times(const Eigen::VectorXd& v) const;
-  };
   void fill_level(const Kernel& kernel, const Eigen::MatrixXd& points, const Eigen::VectorXd& smoothing,
                   const std::vector<std::uint32_t>& first, const CoarseToFine::Level& level);
-  void transpose();
+  Eigen::VectorXd transposed_times(const Eigen::VectorXd& residual) const;
+  Eigen::VectorXd times(const Eigen::VectorXd& v) const;
 
-  Compressed columns_;  ///< Uᵀ by rows
-  Compressed rows_;     ///< U by rows
+  /// Columns of U: entries begin_[i] … begin_[i + 1] belong to point i.
+  std::vector<std::uint64_t> begin_;
+  std::vector<std::uint32_t> indices_;
+  std::vector<double> values_;
   std::size_t repaired_ = 0;
 };
 

@@ -42,6 +42,29 @@ TEST_F(MainJob, SeriesToClosedSurfaceNearTheTruth) {
   EXPECT_NEAR(compared.json()["shape"]["volume_mm3"], volume, 0.03 * volume);
 }
 
+TEST_F(MainJob, ReportTellsHowItWasSolved) {
+  for (const std::string solver : {"dense", "fast"}) {
+    const ProgramRun run =
+        isostack("reconstruct " + path("sample/series") + " --level 25 --largest --max-constraints 2000 --solver " +
+                 solver + " -o " + path("organ.stl") + " --json");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const nlohmann::json report = run.json()["surfaces"][0];
+    EXPECT_EQ(report["solver"], solver);
+    EXPECT_TRUE(report["converged"]);
+    EXPECT_LE(report["largest_residual_mm"], report["tolerance_mm"]);
+    EXPECT_EQ(report["iterations"] > 0, solver == "fast");
+    EXPECT_GT(report["predicted_bytes"], 8 * report["constraints"].get<int>());
+    EXPECT_GT(report["peak_bytes"], 1'000'000);  // of the whole process
+    double seconds = 0;
+    for (const nlohmann::json& stage : report["solve_stages"]) {
+      EXPECT_GE(stage["bytes"], 0);
+      seconds += stage["seconds"].get<double>();
+    }
+    EXPECT_GT(seconds, 0);
+    EXPECT_LE(seconds, report["seconds"]["solve"]);
+  }
+}
+
 TEST_F(MainJob, NonParallelPlanesGiveTheSameOrgan) {
   const ProgramRun run =
       isostack("reconstruct " + path("sample/planes") + " --level 25 --curvature 1 --max-constraints 4000 -o " +

@@ -33,5 +33,31 @@ TEST(MergeCoinciding, DistinctPointsKeepTheirOrder) {
   EXPECT_EQ(merged.largest_contradiction, 0);
 }
 
+// A sagittal stack has all points of a slice at one x; comparing them all with each other would take minutes.
+TEST(MergeCoinciding, PointsInOnePlaneOfAnyAxisAreMergedAsElsewhere) {
+  constexpr Eigen::Index count = 200'000;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(0, 500);
+    ConstraintSet set;
+    set.points = Eigen::MatrixXd::NullaryExpr(3, count, [&] { return uniform(random); });
+    set.points.row(axis).setConstant(1e6);
+    set.points.rightCols(100) = set.points.leftCols(100);
+    set.values = Eigen::VectorXd::Zero(count);
+    EXPECT_EQ(merge_coinciding(set, 0).set.points.cols(), count - 100) << axis;
+  }
+}
+
+TEST(MergeCoinciding, LaterPointsDoNotDisplaceEarlierOnes) {
+  ConstraintSet set;
+  set.points.resize(3, 3);
+  set.points << 1, 2, 1 - 1e-4,  //
+      1, 2, 1,                   //
+      1, 2, 1;
+  set.values = Eigen::Vector3d(0, 5, 0);
+  const MergedConstraints merged = merge_coinciding(set, 1e-3);
+  EXPECT_EQ(merged.set.points, set.points.leftCols(2));
+}
+
 }  // namespace
 }  // namespace isostack
