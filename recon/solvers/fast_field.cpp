@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <vector>
 
 #include "recon/solvers/direct_sum.h"
 #include "recon/solvers/local_fields.h"
@@ -79,18 +81,31 @@ FastField::~FastField() = default;
 FastField::FastField(FastField&&) noexcept = default;
 FastField& FastField::operator=(FastField&&) noexcept = default;
 
-/// Goes up by as many orders as the error seems to need, and stops where rounding keeps it from falling.
+/// Goes up by as many orders as the error seems to need, and stops where rounding keeps it from
+/// falling: as rounding grows with the order, one skipped below may then be the best.
 void FastField::choose_order() {
   const Eigen::MatrixXd sample = sample_near(sources_->centres);
   const Eigen::VectorXd expected = direct_sum(sources_->function.kernel, sources_->centres, sources_->weights, sample);
-  const double tolerance = sources_->options.tolerance;
-  for (int order = first_order; order <= most_order;) {
+  const auto attempt = [&](int order) {
     auto next = std::make_unique<Gathered>(*sources_, order);
-    next->sampled_error = (fast_sums(*next, sample, Derivatives::none).values - expected).cwiseAbs().maxCoeff();
-    const bool stalls = gathered_ && !(next->sampled_error < gathered_->sampled_error / 2);
-    if (!gathered_ || next->sampled_error < gathered_->sampled_error) gathered_ = std::move(next);
-    const double error = gathered_->sampled_error;
-    if (stalls || error <= tolerance || order == most_order) return;
+    const double error = (fast_sums(*next, sample, Derivatives::none).values - expected).cwiseAbs().maxCoeff();
+    next->sampled_error = error;
+    if (!gathered_ || error < gathered_->sampled_error) gathered_ = std::move(next);
+    return error;
+  };
+  const double tolerance = sources_->options.tolerance;
+  std::vector<int> tried;
+  double last_error = std::numeric_limits<double>::infinity();
+  for (int order = first_order;;) {
+    const double error = attempt(order);
+    tried.push_back(order);
+    if (error <= tolerance) return;
+    if (error > last_error / 2 || order == most_order) {
+      const int skipped = gathered_->order - 1;
+      if (std::find(tried.begin(), tried.end(), skipped) == tried.end() && skipped > first_order) attempt(skipped);
+      return;
+    }
+    last_error = error;
     const double missing = std::log(tolerance / error) / std::log(error_per_order);
     order = static_cast<int>(std::min<double>(most_order, order + std::max(1.0, std::round(missing))));
   }
