@@ -12,8 +12,8 @@ namespace isostack {
 /// Σ_j weights_j φ(|x − c_j|) with fixed centres and weights, at any number of batches of points:
 /// the sources are gathered once, and the far field of a place is kept once points came there, so
 /// that a batch costs little more than its points' near terms. At most three dimensions. The
-/// interpolation order is raised until a sample agrees with direct sums. A value depends on its
-/// point alone, not on the batch. May be used from several threads at once.
+/// interpolation order is raised until a sample agrees with direct sums. How a point is summed depends on
+/// its place alone, not on the batch, unless the batch is summed directly. May be used from several threads at once.
 class FastField {
  public:
   struct Options {
