@@ -1,28 +1,36 @@
 #include "recon/solvers/direct_sum.h"
 
-#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
+#include <array>
 #include <vector>
+
+#include "recon/geometry/errors.h"
+#include "recon/solvers/near_sum.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "recon/solvers/direct_sum.cpp"
 #include <hwy/foreach_target.h>  // compiles the SIMD part once per instruction set
 
-#include <hwy/contrib/math/math-inl.h>
-#include <hwy/highway.h>
+#include "recon/solvers/radial_simd-inl.h"
 
-#ifndef ISOSTACK_DIRECT_SUM_PARTS
-#define ISOSTACK_DIRECT_SUM_PARTS
+#ifndef ISOSTACK_DIRECT_SUM_ONCE
+#define ISOSTACK_DIRECT_SUM_ONCE
 namespace isostack {
 
-/// Centres as one padded array per axis; padding has weight 0.
-struct PackedCentres {
-  int dimension = 0;
-  std::size_t padded_count = 0;
-  std::vector<double> axes;  ///< dimension × padded_count
-  std::vector<double> weights;
-  const double* axis(int d) const { return axes.data() + static_cast<std::size_t>(d) * padded_count; }
+/// Points of any dimension as one array per axis, relative to a common centre.
+struct AxisArrays {
+  std::size_t stride = 0;
+  std::vector<double> axes;
+  const double* axis(std::size_t a) const { return axes.data() + a * stride; }
+};
+
+/// A part of the sources.
+struct SourcePart {
+  const AxisArrays& points;
+  const double* weights;
+  std::size_t first, last;
 };
 
 }  // namespace isostack
@@ -31,72 +39,30 @@ struct PackedCentres {
 HWY_BEFORE_NAMESPACE();
 namespace isostack {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::ScalableTag<double>;
-using Vec = hn::Vec<Tag>;
 
-Vec power_of(Vec distance, Vec squared, int power) {
-  const Tag tag;
-  Vec result = power % 2 == 0 ? hn::Set(tag, 1.0) : distance;
-  int reached = power % 2 == 0 ? 0 : 1;
-  for (; reached < power; reached += 2) result = hn::Mul(result, squared);
-  for (; reached > power; reached -= 2) result = hn::Div(result, squared);
-  return result;
-}
-
-/// φ(r) of a lane of squared distances (never 0: see `tiny`).
-Vec kernel_value(const Kernel& kernel, Vec squared) {
-  const Tag tag;
-  const Vec monomial = power_of(hn::Sqrt(squared), squared, kernel.power);
-  if (!kernel.logarithmic) return monomial;
-  return hn::Mul(monomial, hn::Mul(hn::Set(tag, 0.5), hn::Log(tag, squared)));
-}
-
-/// φ'(r)/r.
-Vec kernel_slope(const Kernel& kernel, Vec squared) {
-  const Tag tag;
-  const Vec monomial = power_of(hn::Sqrt(squared), squared, kernel.power - 2);
-  const Vec power = hn::Set(tag, static_cast<double>(kernel.power));
-  if (!kernel.logarithmic) return hn::Mul(power, monomial);
-  const Vec log_r = hn::Mul(hn::Set(tag, 0.5), hn::Log(tag, squared));
-  return hn::Mul(monomial, hn::MulAdd(power, log_r, hn::Set(tag, 1.0)));
-}
-
-// Keeps r = 0 harmless: every φ and every slope times its zero offset vanishes there.
-constexpr double tiny = 1e-280;
-
-Vec squared_distance(const PackedCentres& centres, const double* target, std::size_t j) {
-  const Tag tag;
-  Vec squared = hn::Set(tag, tiny);
-  for (int d = 0; d < centres.dimension; ++d) {
-    const Vec offset = hn::Sub(hn::Set(tag, target[d]), hn::LoadU(tag, centres.axis(d) + j));
-    squared = hn::MulAdd(offset, offset, squared);
-  }
-  return squared;
-}
-
-double sum_value(const Kernel& kernel, const PackedCentres& centres, const double* target) {
-  const Tag tag;
-  Vec sum = hn::Zero(tag);
-  for (std::size_t j = 0; j < centres.padded_count; j += hn::Lanes(tag)) {
-    const Vec value = kernel_value(kernel, squared_distance(centres, target, j));
-    sum = hn::MulAdd(hn::LoadU(tag, centres.weights.data() + j), value, sum);
-  }
-  return hn::GetLane(hn::SumOfLanes(tag, sum));
-}
-
-void sum_gradient(const Kernel& kernel, const PackedCentres& centres, const double* target, double* gradient) {
-  const Tag tag;
-  Vec sums[6] = {hn::Zero(tag), hn::Zero(tag), hn::Zero(tag), hn::Zero(tag), hn::Zero(tag), hn::Zero(tag)};
-  for (std::size_t j = 0; j < centres.padded_count; j += hn::Lanes(tag)) {
-    const Vec slope = kernel_slope(kernel, squared_distance(centres, target, j));
-    const Vec factor = hn::Mul(hn::LoadU(tag, centres.weights.data() + j), slope);
-    for (int d = 0; d < centres.dimension; ++d) {
-      const Vec offset = hn::Sub(hn::Set(tag, target[d]), hn::LoadU(tag, centres.axis(d) + j));
-      sums[d] = hn::MulAdd(factor, offset, sums[d]);
+/// Adds to sums[0] the value, and to sums[1 + a] the derivative along each axis a, of any number of axes, at a target.
+void add_at_target(const Kernel& kernel, const SourcePart& sources, const double* target, std::size_t axis_count,
+                   bool with_gradient, double* sums) {
+  constexpr std::size_t most_axes = 6;
+  const Lanes tag;
+  with_kernel(kernel, [&](const auto& phi) HWY_ATTR {
+    Vec value = hn::Zero(tag), gradient[most_axes];
+    for (Vec& part : gradient) part = hn::Zero(tag);
+    for (std::size_t j = sources.first; j < sources.last; j += hn::Lanes(tag)) {
+      Vec squared = set(tiny_squared), offset[most_axes];
+      for (std::size_t a = 0; a < axis_count; ++a) {
+        offset[a] = hn::Sub(set(target[a]), hn::LoadU(tag, sources.points.axis(a) + j));
+        squared = hn::MulAdd(offset[a], offset[a], squared);
+      }
+      const RadialTerms terms = phi.terms(squared);
+      const Vec w = hn::LoadU(tag, sources.weights + j), slope = hn::Mul(w, terms.slope);
+      value = hn::MulAdd(w, terms.value, value);
+      for (std::size_t a = 0; a < axis_count; ++a) gradient[a] = hn::MulAdd(slope, offset[a], gradient[a]);
     }
-  }
-  for (int d = 0; d < centres.dimension; ++d) gradient[d] = hn::GetLane(hn::SumOfLanes(tag, sums[d]));
+    sums[0] += hn::GetLane(hn::SumOfLanes(tag, value));
+    for (std::size_t a = 0; a < axis_count && with_gradient; ++a)
+      sums[1 + a] += hn::GetLane(hn::SumOfLanes(tag, gradient[a]));
+  });
 }
 
 }  // namespace HWY_NAMESPACE
@@ -106,54 +72,107 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace isostack {
 
-HWY_EXPORT(sum_value);
-HWY_EXPORT(sum_gradient);
+HWY_EXPORT(add_at_target);
 
 namespace {
 
-PackedCentres pack(const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights) {
-  constexpr std::size_t widest_lane = 8;
-  PackedCentres packed;
-  packed.dimension = static_cast<int>(centres.rows());
-  const auto count = static_cast<std::size_t>(centres.cols());
-  packed.padded_count = (count + widest_lane - 1) / widest_lane * widest_lane;
-  packed.axes.assign(packed.padded_count * static_cast<std::size_t>(packed.dimension), 0.0);
-  packed.weights.assign(packed.padded_count, 0.0);
-  for (std::size_t j = 0; j < count; ++j) {
-    packed.weights[j] = weights[static_cast<Eigen::Index>(j)];
-    for (int d = 0; d < packed.dimension; ++d)
-      packed.axes[static_cast<std::size_t>(d) * packed.padded_count + j] = centres(d, static_cast<Eigen::Index>(j));
-  }
-  return packed;
+constexpr std::size_t target_block = 32, source_block = 1024;  // a block of sources stays in the first-level cache
+
+AxisArrays arrays_of(const Eigen::MatrixXd& points, const Eigen::VectorXd& centre) {
+  AxisArrays arrays;
+  const auto count = static_cast<std::size_t>(points.cols());
+  arrays.stride = (count + source_padding - 1) / source_padding * source_padding;
+  const auto axis_count = static_cast<std::size_t>(std::max<Eigen::Index>(3, points.rows()));
+  arrays.axes.assign(arrays.stride * axis_count, 0.0);  // missing axes are 0
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    for (Eigen::Index a = 0; a < points.rows(); ++a)
+      arrays.axes[static_cast<std::size_t>(a) * arrays.stride + static_cast<std::size_t>(i)] = points(a, i) - centre[a];
+  return arrays;
 }
 
-template <class PerTarget>
-void for_each_target(Eigen::Index count, PerTarget per_target) {
-  tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, count, 16), [&](const auto& range) {
-    for (Eigen::Index i = range.begin(); i < range.end(); ++i) per_target(i);
-  });
+PointArrays part_of(const AxisArrays& arrays, std::size_t first, std::size_t last) {
+  return {arrays.axis(0) + first, arrays.axis(1) + first, arrays.axis(2) + first, last - first};
+}
+
+/// Sums at a block of targets: value, gradient, Hessian of each.
+struct BlockSums {
+  std::array<std::array<double, target_block>, 10> columns{};
+
+  SumArrays arrays(Derivatives derivatives) {
+    SumArrays result;
+    result.value = columns[0].data();
+    for (std::size_t a = 0; a < 3 && derivatives != Derivatives::none; ++a) result.gradient[a] = columns[1 + a].data();
+    for (std::size_t a = 0; a < 6 && derivatives == Derivatives::second; ++a) result.hessian[a] = columns[4 + a].data();
+    return result;
+  }
+
+  void store(std::size_t first, std::size_t last, RadialSums& sums) const {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      const auto at = [&](Eigen::Index k) { return columns[static_cast<std::size_t>(k)][i - first]; };
+      sums.values[column] = at(0);
+      for (Eigen::Index a = 0; a < sums.gradients.rows(); ++a) sums.gradients(a, column) = at(1 + a);
+      for (Eigen::Index a = 0; a < sums.hessians.rows(); ++a) sums.hessians(a, column) = at(4 + a);
+    }
+  }
+};
+
+void add_in_many_dimensions(const Kernel& kernel, const SourcePart& sources, const AxisArrays& targets,
+                            std::size_t first, std::size_t last, std::size_t axis_count, bool with_gradient,
+                            BlockSums& block) {
+  for (std::size_t i = first; i < last; ++i) {
+    std::array<double, 6> target{};
+    std::array<double, 7> sums{};
+    for (std::size_t a = 0; a < axis_count; ++a) target[a] = targets.axis(a)[i];
+    HWY_DYNAMIC_DISPATCH(add_at_target)(kernel, sources, target.data(), axis_count, with_gradient, sums.data());
+    for (std::size_t k = 0; k <= axis_count; ++k) block.columns[k][i - first] += sums[k];
+  }
 }
 
 }  // namespace
 
-Eigen::VectorXd direct_sum(const Kernel& kernel, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
-                           const Eigen::MatrixXd& targets) {
-  const PackedCentres packed = pack(centres, weights);
-  Eigen::VectorXd sums(targets.cols());
-  for_each_target(targets.cols(), [&](Eigen::Index i) {
-    sums[i] = HWY_DYNAMIC_DISPATCH(sum_value)(kernel, packed, targets.col(i).data());
+RadialSums direct_sums(const Kernel& kernel, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
+                       const Eigen::MatrixXd& targets, Derivatives derivatives) {
+  const auto axis_count = static_cast<std::size_t>(targets.rows());
+  const auto target_count = static_cast<std::size_t>(targets.cols());
+  if (axis_count > 6 || (axis_count > 3 && derivatives == Derivatives::second))
+    throw InputError("direct sum", "points have more dimensions than can be summed",
+                     "use at most 6, or 3 for second derivatives");
+  RadialSums sums;
+  sums.values = Eigen::VectorXd::Zero(targets.cols());
+  if (derivatives != Derivatives::none) sums.gradients = Eigen::MatrixXd::Zero(targets.rows(), targets.cols());
+  if (derivatives == Derivatives::second) sums.hessians = Eigen::MatrixXd::Zero(6, targets.cols());
+  if (centres.cols() == 0 || target_count == 0) return sums;
+
+  const Eigen::VectorXd centre = (centres.rowwise().minCoeff() + centres.rowwise().maxCoeff()) / 2;
+  const AxisArrays from = arrays_of(centres, centre), to = arrays_of(targets, centre);
+  std::vector<double> padded(from.stride, 0.0);
+  std::copy(weights.begin(), weights.end(), padded.begin());
+  tbb::parallel_for(std::size_t{0}, (target_count + target_block - 1) / target_block, [&](std::size_t b) {
+    const std::size_t first = b * target_block, last = std::min(first + target_block, target_count);
+    BlockSums block;
+    for (std::size_t s = 0; s < from.stride; s += source_block) {
+      const std::size_t end = std::min(s + source_block, from.stride);
+      if (axis_count <= 3)
+        add_near_sums({kernel, 0}, part_of(from, s, end), padded.data() + s, part_of(to, first, last),
+                      block.arrays(derivatives));
+      else
+        add_in_many_dimensions(kernel, {from, padded.data(), s, end}, to, first, last, axis_count,
+                               derivatives != Derivatives::none, block);
+    }
+    block.store(first, last, sums);
   });
   return sums;
 }
 
+Eigen::VectorXd direct_sum(const Kernel& kernel, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
+                           const Eigen::MatrixXd& targets) {
+  return direct_sums(kernel, centres, weights, targets, Derivatives::none).values;
+}
+
 Eigen::MatrixXd direct_sum_gradient(const Kernel& kernel, const Eigen::MatrixXd& centres,
                                     const Eigen::VectorXd& weights, const Eigen::MatrixXd& targets) {
-  const PackedCentres packed = pack(centres, weights);
-  Eigen::MatrixXd gradients(targets.rows(), targets.cols());
-  for_each_target(targets.cols(), [&](Eigen::Index i) {
-    HWY_DYNAMIC_DISPATCH(sum_gradient)(kernel, packed, targets.col(i).data(), gradients.col(i).data());
-  });
-  return gradients;
+  return direct_sums(kernel, centres, weights, targets, Derivatives::first).gradients;
 }
 
 }  // namespace isostack

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "recon/kernels/kernel.h"
+#include "recon/solvers/radial_sums.h"
 
 namespace isostack {
 
@@ -15,5 +16,9 @@ Eigen::VectorXd direct_sum(const Kernel& kernel, const Eigen::MatrixXd& centres,
 /// Gradient of the same sum at the targets: n × M.
 Eigen::MatrixXd direct_sum_gradient(const Kernel& kernel, const Eigen::MatrixXd& centres,
                                     const Eigen::VectorXd& weights, const Eigen::MatrixXd& targets);
+
+/// Values and derivatives in one pass. Second derivatives are given up to n = 3.
+RadialSums direct_sums(const Kernel& kernel, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
+                       const Eigen::MatrixXd& targets, Derivatives derivatives);
 
 }  // namespace isostack

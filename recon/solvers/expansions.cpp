@@ -139,7 +139,7 @@ void add_points_simd(const NodeGrid& grid, const CellFrame& frame, const PointAr
 }
 
 template <int Derivatives>
-HWY_INLINE void add_at_points(const NodeGrid& grid, const CellFrame& frame, const double* expansion,
+HWY_INLINE void add_at_points(const NodeGrid& grid, const CellFrame& frame, const ExpansionView& expansion,
                               const PointArrays& points, const SumArrays& sums) {
   const Lanes tag;
   const Vec zero = hn::Zero(tag);
@@ -151,12 +151,12 @@ HWY_INLINE void add_at_points(const NodeGrid& grid, const CellFrame& frame, cons
                   load_some(points.z + i, left));
     Vec value = zero, gx = zero, gy = zero, gz = zero;
     Vec xx = zero, yy = zero, zz = zero, yz = zero, xz = zero, xy = zero;
-    const double* node = expansion;
+    const double* node = expansion.values;
     for (int a = 0; a < nx; ++a) {
       Vec u = zero, uy = zero, uz = zero, uyy = zero, uzz = zero, uyz = zero;
       for (int b = 0; b < ny; ++b) {
         Vec v = zero, vz = zero, vzz = zero;
-        for (int c = 0; c < nz; ++c, node += sibling_lanes) {
+        for (int c = 0; c < nz; ++c, node += expansion.stride) {
           const Vec e = set(*node);
           v = hn::MulAdd(e, basis.z.value[c], v);
           if constexpr (Derivatives >= 1) vz = hn::MulAdd(e, basis.z.slope[c], vz);
@@ -203,7 +203,7 @@ HWY_INLINE void add_at_points(const NodeGrid& grid, const CellFrame& frame, cons
   }
 }
 
-void add_at_points_simd(const NodeGrid& grid, const CellFrame& frame, const double* expansion,
+void add_at_points_simd(const NodeGrid& grid, const CellFrame& frame, const ExpansionView& expansion,
                         const PointArrays& points, const SumArrays& sums) {
   if (sums.hessian[0]) return add_at_points<2>(grid, frame, expansion, points, sums);
   if (sums.gradient[0]) return add_at_points<1>(grid, frame, expansion, points, sums);
@@ -255,8 +255,6 @@ void carry(const NodeGrid& from, const NodeGrid& to, const std::array<std::vecto
   step(scratch.data(), n(to, 0) * n(to, 1), n(from, 2), 1, matrices[2].data(), n(to, 2), result.data());
 }
 
-thread_local std::vector<double> carried, carry_scratch, spread;  // scratch, kept between calls
-
 }  // namespace
 
 void add_points_to_expansion(const NodeGrid& grid, const CellFrame& frame, const PointArrays& points,
@@ -264,28 +262,30 @@ void add_points_to_expansion(const NodeGrid& grid, const CellFrame& frame, const
   HWY_DYNAMIC_DISPATCH(add_points_simd)(grid, frame, points, weights, expansion);
 }
 
-void add_expansion_at_points(const NodeGrid& grid, const CellFrame& frame, const double* expansion,
+void add_expansion_at_points(const NodeGrid& grid, const CellFrame& frame, const ExpansionView& expansion,
                              const PointArrays& points, const SumArrays& sums) {
   HWY_DYNAMIC_DISPATCH(add_at_points_simd)(grid, frame, expansion, points, sums);
 }
 
-void add_siblings_to_parent(const GridTransfer& transfer, const double* siblings, double* parent) {
-  carry(transfer.child, transfer.parent, transfer.to_parent, siblings, carried, carry_scratch);
+void add_siblings_to_parent(const GridTransfer& transfer, const double* siblings, double* parent,
+                            TransferScratch& scratch) {
+  carry(transfer.child, transfer.parent, transfer.to_parent, siblings, scratch.carried, scratch.halfway);
   for (std::size_t q = 0; q < transfer.parent.node_count(); ++q) {
     double sum = 0;
-    for (std::size_t lane = 0; lane < sibling_lanes; ++lane) sum += carried[q * sibling_lanes + lane];
+    for (std::size_t lane = 0; lane < sibling_lanes; ++lane) sum += scratch.carried[q * sibling_lanes + lane];
     parent[q * sibling_lanes] += sum;
   }
 }
 
-void add_parent_to_siblings(const GridTransfer& transfer, const double* parent, double* siblings) {
+void add_parent_to_siblings(const GridTransfer& transfer, const double* parent, double* siblings,
+                            TransferScratch& scratch) {
   const std::size_t nodes = transfer.parent.node_count();
-  spread.resize(nodes * sibling_lanes);
+  scratch.spread.resize(nodes * sibling_lanes);
   for (std::size_t q = 0; q < nodes; ++q)
-    std::fill_n(spread.data() + q * sibling_lanes, sibling_lanes, parent[q * sibling_lanes]);
-  carry(transfer.parent, transfer.child, transfer.to_child, spread.data(), carried, carry_scratch);
+    std::fill_n(scratch.spread.data() + q * sibling_lanes, sibling_lanes, parent[q * sibling_lanes]);
+  carry(transfer.parent, transfer.child, transfer.to_child, scratch.spread.data(), scratch.carried, scratch.halfway);
   const std::size_t size = transfer.child.node_count() * sibling_lanes;
-  for (std::size_t k = 0; k < size; ++k) siblings[k] += carried[k];
+  for (std::size_t k = 0; k < size; ++k) siblings[k] += scratch.carried[k];
 }
 
 }  // namespace isostack

@@ -1,38 +1,35 @@
 #include "recon/solvers/fast_field.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <random>
+#include <vector>
 
 #include "recon/solvers/direct_sum.h"
-#include "recon/solvers/interactions.h"
+#include "recon/solvers/local_fields.h"
 #include "recon/solvers/octree.h"
 #include "recon/solvers/source_field.h"
-#include "recon/solvers/target_field.h"
 
 namespace isostack {
 
 namespace {
 
 constexpr int first_order = 6, most_order = 14;
+constexpr int leaf_size = 90;
+constexpr double error_per_order = 0.2;  ///< about what one more node leaves of the error
 
-OctreeDomain domain_reaching(const Eigen::MatrixXd& centres, double reach) {
-  const Eigen::VectorXd low = centres.rowwise().minCoeff(), high = centres.rowwise().maxCoeff();
-  const double margin = reach * (high - low).maxCoeff();
-  Eigen::MatrixXd corners(centres.rows(), 2);
-  corners << low.array() - margin, high.array() + margin;
-  return OctreeDomain::around(corners, 1e-4);
-}
-
-/// Points near the centres, where values matter: centres moved by a fixed random fraction of the extent.
+/// Points near the centres, where values matter: centres moved by fixed random fractions of the
+/// extent, every other one by much less.
 Eigen::MatrixXd sample_near(const Eigen::MatrixXd& centres) {
-  constexpr Eigen::Index count = 128;
+  constexpr Eigen::Index count = 256;
   std::mt19937 random(1);
-  std::uniform_real_distribution<double> uniform(-0.01, 0.01);
+  std::uniform_real_distribution<double> uniform(-1, 1);
   const double extent = (centres.rowwise().maxCoeff() - centres.rowwise().minCoeff()).maxCoeff();
   Eigen::MatrixXd sample(centres.rows(), count);
   for (Eigen::Index i = 0; i < count; ++i)
     for (Eigen::Index axis = 0; axis < centres.rows(); ++axis)
-      sample(axis, i) = centres(axis, i * centres.cols() / count) + extent * uniform(random);
+      sample(axis, i) = centres(axis, i * centres.cols() / count) + (i % 2 ? 1e-2 : 1e-3) * extent * uniform(random);
   return sample;
 }
 
@@ -45,73 +42,101 @@ struct FastField::Sources {
   Options options;
   Octree tree;
   std::vector<double> sorted_weights;
-  std::unique_ptr<SourceField> field;
-  double sampled_error = 0;
 
   Sources(const Kernel& kernel, const Eigen::MatrixXd& at, const Eigen::VectorXd& with, const Options& given)
       : function{kernel, 0},
         centres(at),
         weights(with),
         options(given),
-        tree(at, domain_reaching(at, given.reach), 90),
+        tree(at, OctreeDomain::fitted(at, 2 * given.reach + 1e-4, leaf_size), leaf_size),
         sorted_weights(tree.point_count()) {
     for (std::size_t k = 0; k < sorted_weights.size(); ++k) sorted_weights[k] = weights[tree.order()[k]];
   }
+};
 
-  void gather(int order) {
-    // A flat axis would tie the points to the centres' plane; a field is asked anywhere.
-    const std::array<bool, 3> flat{false, centres.rows() < 2, centres.rows() < 3};
-    const FarFieldOptions far_field{.order = order, .order_growth = 1, .most_order = most_order};
-    field = std::make_unique<SourceField>(function, tree, nullptr, flat, far_field);
-    field->gather(sorted_weights.data());
+/// The sources interpolated with one order.
+struct FastField::Gathered {
+  int order;
+  SourceField field;
+  LocalFields locals;
+  double sampled_error = 0;
+
+  // A flat axis would tie the points to the centres' plane; a field is asked anywhere.
+  Gathered(const Sources& from, int with_order)
+      : order(with_order),
+        field(from.function, from.tree, {false, from.centres.rows() < 2, from.centres.rows() < 3},
+              {.order = with_order, .order_growth = 1, .most_order = most_order}),
+        locals(field, from.options.kept_bytes) {
+    field.gather(from.sorted_weights.data());
   }
 };
 
 FastField::FastField(const Kernel& kernel, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
                      const Options& options)
     : sources_(std::make_unique<Sources>(kernel, centres, weights, options)) {
-  const Eigen::MatrixXd sample = sample_near(centres);
-  const Eigen::VectorXd expected = direct_sum(kernel, centres, weights, sample);
-  for (int order = first_order; order <= most_order; order += 2) {
-    sources_->gather(order);
-    sources_->sampled_error = (sums(sample, Derivatives::none).values - expected).cwiseAbs().maxCoeff();
-    if (sources_->sampled_error <= options.tolerance) break;
-  }
+  choose_order();
 }
 
 FastField::~FastField() = default;
 FastField::FastField(FastField&&) noexcept = default;
 FastField& FastField::operator=(FastField&&) noexcept = default;
 
-double FastField::sampled_error() const { return sources_->sampled_error; }
+/// Goes up by as many orders as the error seems to need, and stops where rounding keeps it from
+/// falling: as rounding grows with the order, one skipped below may then be the best.
+void FastField::choose_order() {
+  const Eigen::MatrixXd sample = sample_near(sources_->centres);
+  const Eigen::VectorXd expected = direct_sum(sources_->function.kernel, sources_->centres, sources_->weights, sample);
+  const auto attempt = [&](int order) {
+    auto next = std::make_unique<Gathered>(*sources_, order);
+    const double error = (fast_sums(*next, sample, Derivatives::none).values - expected).cwiseAbs().maxCoeff();
+    next->sampled_error = error;
+    if (!gathered_ || error < gathered_->sampled_error) gathered_ = std::move(next);
+    return error;
+  };
+  const double tolerance = sources_->options.tolerance;
+  std::vector<int> tried;
+  double last_error = std::numeric_limits<double>::infinity();
+  for (int order = first_order;;) {
+    const double error = attempt(order);
+    tried.push_back(order);
+    if (error <= tolerance) return;
+    if (error > last_error / 2 || order == most_order) {
+      const int skipped = gathered_->order - 1;
+      if (std::find(tried.begin(), tried.end(), skipped) == tried.end() && skipped > first_order) attempt(skipped);
+      return;
+    }
+    last_error = error;
+    const double missing = std::log(tolerance / error) / std::log(error_per_order);
+    order = static_cast<int>(std::min<double>(most_order, order + std::max(1.0, std::round(missing))));
+  }
+}
+
+double FastField::sampled_error() const { return gathered_->sampled_error; }
+int FastField::order() const { return gathered_->order; }
 
 bool FastField::is_direct(const Eigen::MatrixXd& points) const {
+  if (points.cols() == 0) return true;
   const auto pairs = static_cast<std::size_t>(points.cols()) * sources_->tree.point_count();
-  if (pairs <= sources_->options.direct_pairs) return true;
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    if (!sources_->tree.domain().contains(points.col(i))) return true;
-  return false;
+  const OctreeDomain& domain = sources_->tree.domain();
+  return pairs <= sources_->options.direct_pairs || !domain.contains(points.rowwise().minCoeff()) ||
+         !domain.contains(points.rowwise().maxCoeff());
 }
 
 RadialSums FastField::sums(const Eigen::MatrixXd& points, Derivatives derivatives) const {
-  const Octree& tree = sources_->tree;
-  const Octree targets(points, tree.domain(), 30, tree.depth(), tree.level_count() - 1);
-  const Interactions interactions(targets, tree);
-  TargetField far(*sources_->field, targets, interactions);
-  far.receive(*sources_->field);
-  return sum_at_leaves(sources_->function, *sources_->field, far, targets, interactions, sources_->sorted_weights,
-                       points.rows(), derivatives);
-}
-
-Eigen::VectorXd FastField::values(const Eigen::MatrixXd& points) const {
-  if (is_direct(points)) return direct_sum(sources_->function.kernel, sources_->centres, sources_->weights, points);
-  return sums(points, Derivatives::none).values;
-}
-
-Eigen::MatrixXd FastField::gradients(const Eigen::MatrixXd& points) const {
   if (is_direct(points))
-    return direct_sum_gradient(sources_->function.kernel, sources_->centres, sources_->weights, points);
-  return sums(points, Derivatives::first).gradients;
+    return direct_sums(sources_->function.kernel, sources_->centres, sources_->weights, points, derivatives);
+  return fast_sums(*gathered_, points, derivatives);
+}
+
+RadialSums FastField::fast_sums(Gathered& from, const Eigen::MatrixXd& points, Derivatives derivatives) const {
+  const Octree targets(points, sources_->tree);
+  const LocalFields::Leaves leaves = from.locals.at(targets);
+  const auto terms_of = [&](int l, std::uint32_t cell) {
+    const LocalFields::Leaf& leaf = *leaves[static_cast<std::size_t>(l)][cell];
+    return LeafTerms{&from.field.level(l).grid, {leaf.far.data(), 1}, leaf.near};
+  };
+  return sum_at_leaves(sources_->function, sources_->tree, sources_->sorted_weights, targets, terms_of, points.rows(),
+                       derivatives);
 }
 
 }  // namespace isostack

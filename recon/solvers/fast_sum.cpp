@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "recon/solvers/leaf_sums.h"
+
 namespace isostack {
 
 namespace {
@@ -34,7 +36,7 @@ FastSum::FastSum(const RadialFunction& function, const Eigen::MatrixXd& sources,
       dimension_(sources.rows()),
       sources_(sources, OctreeDomain::fitted(sources, margin, options.leaf_size), options.leaf_size),
       interactions_(sources_, sources_),
-      source_field_(function, sources_, &interactions_, flat_axes(sources_, sources_), options.far_field),
+      source_field_(function, sources_, flat_axes(sources_, sources_), options.far_field),
       target_field_(source_field_, sources_, interactions_) {}
 
 FastSum::FastSum(const RadialFunction& function, const Eigen::MatrixXd& sources, const Eigen::MatrixXd& targets,
@@ -44,7 +46,7 @@ FastSum::FastSum(const RadialFunction& function, const Eigen::MatrixXd& sources,
       sources_(sources, domain_around(sources, targets), options.leaf_size),
       own_targets_(Octree(targets, sources_.domain(), options.leaf_size, sources_.depth(), sources_.level_count() - 1)),
       interactions_(*own_targets_, sources_),
-      source_field_(function, sources_, &interactions_, flat_axes(sources_, *own_targets_), options.far_field),
+      source_field_(function, sources_, flat_axes(sources_, *own_targets_), options.far_field),
       target_field_(source_field_, *own_targets_, interactions_) {}
 
 RadialSums FastSum::sums(const Eigen::VectorXd& weights, Derivatives derivatives) {
@@ -52,12 +54,20 @@ RadialSums FastSum::sums(const Eigen::VectorXd& weights, Derivatives derivatives
   for (std::size_t k = 0; k < sorted.size(); ++k) sorted[k] = weights[sources_.order()[k]];
   source_field_.gather(sorted.data());
   target_field_.receive(source_field_);
-  return sum_at_leaves(function_, source_field_, target_field_, targets(), interactions_, sorted, dimension_,
-                       derivatives);
+  const auto terms_of = [this](int l, std::uint32_t cell) {
+    LeafTerms terms;
+    if (l >= SourceField::top_level) {
+      terms.grid = &source_field_.level(l).grid;
+      terms.far = target_field_.expansion(source_field_, l, cell);
+    }
+    terms.near = interactions_.levels[static_cast<std::size_t>(l)].near_of(cell);
+    return terms;
+  };
+  return sum_at_leaves(function_, sources_, sorted, targets(), terms_of, dimension_, derivatives);
 }
 
 std::size_t FastSum::bytes() const {
-  return source_field_.bytes() + target_field_.bytes() + sources_.point_count() * 64;
+  return source_field_.bytes() + target_field_.bytes(source_field_) + sources_.point_count() * 64;
 }
 
 }  // namespace isostack

@@ -3,7 +3,10 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "recon/solvers/leaf_sums.h"
+#include "recon/solvers/interactions.h"
+#include "recon/solvers/radial_sums.h"
+#include "recon/solvers/source_field.h"
+#include "recon/solvers/target_field.h"
 
 namespace isostack {
 

@@ -1,12 +1,7 @@
 #include "recon/solvers/grid_dft.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <hwy/cache_control.h>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "recon/solvers/grid_dft.cpp"
@@ -148,107 +143,6 @@ void inverse_simd(const std::array<GridDft::Axis, 3>& axes, const std::array<int
   }
 }
 
-struct ComplexSum {
-  Vec re, im;
-
-  HWY_INLINE void add(const double* table, Vec source_re, Vec source_im) {
-    const Vec tr = hn::LoadU(Lanes(), table), ti = hn::LoadU(Lanes(), table + frequency_block);
-    re = hn::NegMulAdd(ti, source_im, hn::MulAdd(tr, source_re, re));
-    im = hn::MulAdd(ti, source_re, hn::MulAdd(tr, source_im, im));
-  }
-  HWY_INLINE void store(double* out) const {
-    hn::StoreU(re, Lanes(), out);
-    hn::StoreU(im, Lanes(), out + frequency_block);
-  }
-};
-
-void sum_block_simd(const QuadTerm* terms, std::size_t count, const double* table, const double* sources, double* out) {
-  constexpr std::size_t ahead = 8;  // the sources are scattered over memory
-  const Lanes tag;
-  for (std::size_t part = 0; part < frequency_block; part += hn::Lanes(tag)) {
-    const ComplexSum zero{hn::Zero(tag), hn::Zero(tag)};
-    ComplexSum a = zero, b = zero, c = zero, d = zero;
-    for (std::size_t k = 0; k < count; ++k) {
-      const QuadTerm& term = terms[k];
-      if (k + ahead < count) {
-        const double* later = sources + terms[k + ahead].source * block_doubles;
-        hwy::Prefetch(later);
-        hwy::Prefetch(later + frequency_block);
-      }
-      const double* source = sources + term.source * block_doubles + part;
-      const Vec re = hn::LoadU(tag, source), im = hn::LoadU(tag, source + frequency_block);
-      a.add(table + term.slots[0] * block_doubles + part, re, im);
-      b.add(table + term.slots[1] * block_doubles + part, re, im);
-      c.add(table + term.slots[2] * block_doubles + part, re, im);
-      d.add(table + term.slots[3] * block_doubles + part, re, im);
-    }
-    a.store(out + part);
-    b.store(out + block_doubles + part);
-    c.store(out + 2 * block_doubles + part);
-    d.store(out + 3 * block_doubles + part);
-  }
-}
-
-/// Every eighth value of an array, as one vector.
-HWY_INLINE Vec gather_lane(const double* from) {
-  const hn::RebindToSigned<Lanes> index;
-  return hn::GatherIndex(Lanes(), from, hn::Mul(hn::Iota(index, 0), hn::Set(index, sibling_lanes)));
-}
-
-HWY_INLINE void scatter_lane(Vec v, double* to) {
-  const hn::RebindToSigned<Lanes> index;
-  hn::ScatterIndex(v, Lanes(), to, hn::Mul(hn::Iota(index, 0), hn::Set(index, sibling_lanes)));
-}
-
-void store_lane_simd(const double* real, const double* imaginary, std::size_t frequencies, double* cell,
-                     std::size_t stride) {
-  const Lanes tag;
-  for (std::size_t begin = 0; begin < frequencies; begin += frequency_block, cell += stride) {
-    const std::size_t count = std::min(frequency_block, frequencies - begin);
-    if (count == frequency_block) {
-      for (std::size_t k = 0; k < frequency_block; k += hn::Lanes(tag)) {
-        hn::StoreU(gather_lane(real + (begin + k) * sibling_lanes), tag, cell + k);
-        hn::StoreU(gather_lane(imaginary + (begin + k) * sibling_lanes), tag, cell + frequency_block + k);
-      }
-      continue;
-    }
-    std::fill_n(cell, block_doubles, 0.0);
-    for (std::size_t k = 0; k < count; ++k) {
-      cell[k] = real[(begin + k) * sibling_lanes];
-      cell[frequency_block + k] = imaginary[(begin + k) * sibling_lanes];
-    }
-  }
-}
-
-void load_lane_simd(const double* cell, std::size_t stride, std::size_t frequencies, double* real, double* imaginary) {
-  const Lanes tag;
-  for (std::size_t begin = 0; begin < frequencies; begin += frequency_block, cell += stride) {
-    const std::size_t count = std::min(frequency_block, frequencies - begin);
-    if (count == frequency_block) {
-      for (std::size_t k = 0; k < frequency_block; k += hn::Lanes(tag)) {
-        scatter_lane(hn::LoadU(tag, cell + k), real + (begin + k) * sibling_lanes);
-        scatter_lane(hn::LoadU(tag, cell + frequency_block + k), imaginary + (begin + k) * sibling_lanes);
-      }
-      continue;
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      real[(begin + k) * sibling_lanes] = cell[k];
-      imaginary[(begin + k) * sibling_lanes] = cell[frequency_block + k];
-    }
-  }
-}
-
-/// φ at eight squared distances.
-void kernel_lanes(const RadialFunction& function, const double* squared, double* values) {
-  const Lanes tag;
-  with_kernel(function.kernel, [&](const auto& phi) HWY_ATTR {
-    for (std::size_t lane = 0; lane < sibling_lanes; lane += hn::Lanes(tag)) {
-      const Vec r2 = hn::Add(hn::LoadU(tag, squared + lane), set(function.shift_squared + tiny_squared));
-      hn::StoreU(phi.value(r2), tag, values + lane);
-    }
-  });
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace isostack
 HWY_AFTER_NAMESPACE();
@@ -258,10 +152,6 @@ namespace isostack {
 
 HWY_EXPORT(forward_simd);
 HWY_EXPORT(inverse_simd);
-HWY_EXPORT(sum_block_simd);
-HWY_EXPORT(kernel_lanes);
-HWY_EXPORT(store_lane_simd);
-HWY_EXPORT(load_lane_simd);
 
 GridDft::Axis::Axis(int n) : size(n) {
   for (int k = 0; k < n; ++k)
@@ -299,66 +189,6 @@ void GridDft::inverse(const std::array<int, 3>& outputs, double* real, double* i
   double* s = scratch.data();
   HWY_DYNAMIC_DISPATCH(inverse_simd)
   (axes_, outputs, {real, imaginary}, {s, s + first}, {s + 2 * first, s + 2 * first + second}, out);
-}
-
-TranslationTable::TranslationTable(const RadialFunction& function, const NodeGrid& grid, const GridDft& dft,
-                                   double cell_width, const std::vector<bool>& used)
-    : slots_(Interactions::offset_count, 0) {
-  std::vector<std::uint32_t> offsets;
-  for (std::uint32_t offset = 0; offset < used.size(); ++offset)
-    if (used[offset]) {
-      slots_[offset] = static_cast<std::uint32_t>(offsets.size());
-      offsets.push_back(offset);
-    }
-  count_ = offsets.size();
-  const std::size_t frequencies = dft.frequency_count();
-  spectra_.assign(block_count(dft) * (count_ + 1) * block_doubles, 0.0);
-  const std::array<int, 3> n{dft.padded(0), dft.padded(1), dft.padded(2)};
-  const std::size_t size = static_cast<std::size_t>(n[0] * n[1] * n[2]);
-  const double step = grid.spacing() * cell_width / 2;
-
-  tbb::parallel_for(std::size_t{0}, (count_ + sibling_lanes - 1) / sibling_lanes, [&](std::size_t group) {
-    std::vector<double> values(size * sibling_lanes), re(frequencies * sibling_lanes), im(re.size()), scratch;
-    double squared[sibling_lanes];
-    // Index a stands for a difference of a nodes, or a − n beyond the middle.
-    const auto difference = [&](int axis, int a) {
-      const int half = n[static_cast<std::size_t>(axis)] / 2;
-      return step * (a > half ? a - n[static_cast<std::size_t>(axis)] : a);
-    };
-    std::size_t q = 0;
-    for (int a = 0; a < n[0]; ++a)
-      for (int b = 0; b < n[1]; ++b)
-        for (int c = 0; c < n[2]; ++c, ++q) {
-          for (std::size_t lane = 0; lane < sibling_lanes; ++lane) {
-            const auto offset = static_cast<int>(offsets[std::min(group * sibling_lanes + lane, count_ - 1)]);
-            const int i = offset / 49 - 3, j = offset / 7 % 7 - 3, k = offset % 7 - 3;
-            const double x = difference(0, a) - i * cell_width, y = difference(1, b) - j * cell_width,
-                         z = difference(2, c) - k * cell_width;
-            squared[lane] = x * x + y * y + z * z;
-          }
-          HWY_DYNAMIC_DISPATCH(kernel_lanes)(function, squared, values.data() + q * sibling_lanes);
-        }
-    for (double& value : values) value /= static_cast<double>(size);  // the inverse transform's factor
-    dft.forward(n, values.data(), re.data(), im.data(), scratch);
-    for (std::size_t lane = 0; lane < sibling_lanes && group * sibling_lanes + lane < count_; ++lane)
-      store_lane(re.data(), im.data(), frequencies, lane,
-                 spectra_.data() + (group * sibling_lanes + lane) * block_doubles, (count_ + 1) * block_doubles);
-  });
-}
-
-void sum_spectrum_block(const QuadTerm* terms, std::size_t count, const double* table, const double* sources,
-                        double* out) {
-  HWY_DYNAMIC_DISPATCH(sum_block_simd)(terms, count, table, sources, out);
-}
-
-void store_lane(const double* real, const double* imaginary, std::size_t frequencies, std::size_t lane, double* cell,
-                std::size_t stride) {
-  HWY_DYNAMIC_DISPATCH(store_lane_simd)(real + lane, imaginary + lane, frequencies, cell, stride);
-}
-
-void load_lane(const double* cell, std::size_t stride, std::size_t frequencies, std::size_t lane, double* real,
-               double* imaginary) {
-  HWY_DYNAMIC_DISPATCH(load_lane_simd)(cell, stride, frequencies, real + lane, imaginary + lane);
 }
 
 }  // namespace isostack

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,10 @@ struct Interactions {
     /// For leaves: ranges of source points (tree order) summed directly; empty for other cells.
     std::vector<std::uint32_t> near_begin;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> near;
+
+    std::span<const std::pair<std::uint32_t, std::uint32_t>> near_of(std::uint32_t cell) const {
+      return {near.data() + near_begin[cell], near.data() + near_begin[cell + 1]};
+    }
   };
   std::vector<Level> levels;
 

@@ -23,6 +23,14 @@ std::uint64_t spread_bits(std::uint64_t v) {
   return (v | v << 2) & 0x1249249249249249ULL;
 }
 
+/// Orders the cells of one level along the Morton curve.
+std::uint64_t place_key(const std::array<int, 3>& place) {
+  std::uint64_t key = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    key |= spread_bits(static_cast<std::uint64_t>(place[axis])) << (2 - axis);
+  return key;
+}
+
 /// Level above which two keys share their cell.
 int common_level(std::uint64_t a, std::uint64_t b) {
   return a == b ? deepest_level : (3 * deepest_level - static_cast<int>(std::bit_width(a ^ b))) / 3;
@@ -102,33 +110,58 @@ bool OctreeDomain::contains(const Eigen::Ref<const Eigen::VectorXd>& point) cons
 
 Octree::Octree(const Eigen::MatrixXd& points, const OctreeDomain& domain, int leaf_size, int depth, int deepest)
     : domain_(domain) {
+  const std::vector<std::uint64_t> keys = sort_points(points);
+  depth_ = depth >= 0 ? depth : common_depth(keys, leaf_size).depth;
+  const auto crowd = static_cast<std::uint32_t>(4 * leaf_size);
+  divide(keys, [&](int l, const Cell& cell) {
+    return l < std::min(deepest, deepest_level) && (l < depth_ || cell.count() > crowd);
+  });
+}
+
+Octree::Octree(const Eigen::MatrixXd& points, const Octree& like) : domain_(like.domain_), depth_(like.depth_) {
+  const std::vector<std::uint64_t> keys = sort_points(points);
+  // Both trees list their cells along the same curve, so the cell alike is found by walking on.
+  int walked_level = -1;
+  std::size_t walked = 0;
+  divide(keys, [&](int l, const Cell& cell) {
+    if (l < depth_) return true;
+    if (l >= like.level_count()) return false;
+    if (l != walked_level) walked_level = l, walked = 0;
+    const auto& others = like.level(l);
+    const std::uint64_t key = place_key(cell.place);
+    while (walked < others.size() && place_key(others[walked].place) < key) ++walked;
+    return walked < others.size() && others[walked].place == cell.place && !others[walked].leaf();
+  });
+}
+
+std::vector<std::uint64_t> Octree::sort_points(const Eigen::MatrixXd& points) {
   const auto count = static_cast<std::size_t>(points.cols());
-  const auto keyed = sorted_keys(points, domain);
+  const auto keyed = sorted_keys(points, domain_);
   order_.resize(count);
   for (auto& axis : coordinates_) axis.assign(count, 0.0);
   std::vector<std::uint64_t> keys(count);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
-    keys[k] = keyed[k].first;
-    order_[k] = keyed[k].second;
-    for (int axis = 0; axis < static_cast<int>(points.rows()); ++axis)
-      coordinates_[static_cast<std::size_t>(axis)][k] = points(axis, order_[k]) - domain.centre[axis];
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
+    for (std::size_t k = range.begin(); k < range.end(); ++k) {
+      keys[k] = keyed[k].first;
+      order_[k] = keyed[k].second;
+      for (int axis = 0; axis < static_cast<int>(points.rows()); ++axis)
+        coordinates_[static_cast<std::size_t>(axis)][k] = points(axis, order_[k]) - domain_.centre[axis];
+    }
   });
-  depth_ = depth >= 0 ? depth : common_depth(keys, leaf_size).depth;
-  divide(keys, leaf_size, std::min(deepest, deepest_level));
+  return keys;
 }
 
-void Octree::divide(const std::vector<std::uint64_t>& keys, int leaf_size, int deepest) {
-  const auto crowd = static_cast<std::uint32_t>(4 * leaf_size);
-  const auto count = static_cast<std::uint32_t>(keys.size());
-  levels_.assign(1, {Cell{{0, 0, 0}, 0, count, 0, 0, 0}});
-  for (int l = 0; l < deepest; ++l) {
+template <class IsDivided>
+void Octree::divide(const std::vector<std::uint64_t>& keys, IsDivided is_divided) {
+  levels_.assign(1, {Cell{{0, 0, 0}, 0, static_cast<std::uint32_t>(keys.size()), 0, 0, 0}});
+  for (int l = 0; l < deepest_level; ++l) {
     std::vector<Cell> children;
     const int shift = 3 * (deepest_level - l - 1);
     auto& cells = levels_.back();
     for (std::uint32_t c = 0; c < cells.size(); ++c) {
       Cell& cell = cells[c];
       cell.first_child = cell.last_child = static_cast<std::uint32_t>(children.size());
-      if (l >= depth_ && cell.count() <= crowd) continue;
+      if (!is_divided(l, cell)) continue;
       for (std::uint32_t first = cell.first; first < cell.last;) {
         const std::uint64_t prefix = keys[first] >> shift;
         const auto end = std::partition_point(keys.begin() + first, keys.begin() + cell.last,

@@ -38,6 +38,9 @@ class Octree {
   /// `points` is n × N. A depth < 0 chooses the common depth such that leaves hold `leaf_size`
   /// points on average. No cell is divided below level `deepest`.
   Octree(const Eigen::MatrixXd& points, const OctreeDomain& domain, int leaf_size, int depth = -1, int deepest = 20);
+  /// In the domain of another tree, divided down to its common depth and further just where it is:
+  /// a place then belongs to the same leaf whatever points come with it.
+  Octree(const Eigen::MatrixXd& points, const Octree& like);
 
   int depth() const { return depth_; }  ///< the common depth
   int level_count() const { return static_cast<int>(levels_.size()); }
@@ -53,7 +56,10 @@ class Octree {
   const std::vector<double>& coordinates(int axis) const { return coordinates_[static_cast<std::size_t>(axis)]; }
 
  private:
-  void divide(const std::vector<std::uint64_t>& keys, int leaf_size, int deepest);
+  std::vector<std::uint64_t> sort_points(const Eigen::MatrixXd& points);
+  /// `is_divided(level, cell)` is asked for every cell once, level after level in order.
+  template <class IsDivided>
+  void divide(const std::vector<std::uint64_t>& keys, IsDivided is_divided);
 
   OctreeDomain domain_;
   int depth_ = 0;

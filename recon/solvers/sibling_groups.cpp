@@ -20,8 +20,12 @@ CellFrame cell_frame(const Octree& tree, int level, std::uint32_t cell) {
 }
 
 PointArrays points_of(const Octree& tree, const Octree::Cell& cell) {
-  return {tree.coordinates(0).data() + cell.first, tree.coordinates(1).data() + cell.first,
-          tree.coordinates(2).data() + cell.first, cell.count()};
+  return points_between(tree, cell.first, cell.last);
+}
+
+PointArrays points_between(const Octree& tree, std::uint32_t first, std::uint32_t last) {
+  return {tree.coordinates(0).data() + first, tree.coordinates(1).data() + first, tree.coordinates(2).data() + first,
+          last - first};
 }
 
 }  // namespace isostack

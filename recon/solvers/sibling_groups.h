@@ -23,5 +23,7 @@ struct SiblingGroups {
 
 CellFrame cell_frame(const Octree& tree, int level, std::uint32_t cell);
 PointArrays points_of(const Octree& tree, const Octree::Cell& cell);
+/// Points first to last in tree order.
+PointArrays points_between(const Octree& tree, std::uint32_t first, std::uint32_t last);
 
 }  // namespace isostack

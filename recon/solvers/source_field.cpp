@@ -1,5 +1,6 @@
 #include "recon/solvers/source_field.h"
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
@@ -7,27 +8,8 @@
 
 namespace isostack {
 
-namespace {
-
-/// Which of the offsets between cells occur on a level.
-std::vector<bool> used_offsets(const Interactions* interactions, int l) {
-  std::vector<bool> used(Interactions::offset_count, interactions == nullptr);
-  if (!interactions) {
-    for (int offset = 0; offset < Interactions::offset_count; ++offset) {
-      const bool far =
-          std::abs(offset / 49 - 3) > 1 || std::abs(offset / 7 % 7 - 3) > 1 || std::abs(offset % 7 - 3) > 1;
-      used[static_cast<std::size_t>(offset)] = far;
-    }
-  } else if (l < static_cast<int>(interactions->levels.size())) {
-    for (const Interactions::Far& far : interactions->levels[static_cast<std::size_t>(l)].far) used[far.offset] = true;
-  }
-  return used;
-}
-
-}  // namespace
-
-SourceField::SourceField(const RadialFunction& function, const Octree& tree, const Interactions* interactions,
-                         const std::array<bool, 3>& flat, const FarFieldOptions& options)
+SourceField::SourceField(const RadialFunction& function, const Octree& tree, const std::array<bool, 3>& flat,
+                         const FarFieldOptions& options)
     : tree_(tree), levels_(static_cast<std::size_t>(tree.level_count())) {
   for (int l = top_level; l < level_count(); ++l) {
     Level& level = levels_[static_cast<std::size_t>(l)];
@@ -35,14 +17,24 @@ SourceField::SourceField(const RadialFunction& function, const Octree& tree, con
     const int order = options.order + static_cast<int>(std::lround(options.order_growth * above));
     level.grid = NodeGrid(std::min(order, std::max(options.order, options.most_order)), flat);
     level.dft = GridDft(level.grid);
-    level.table = TranslationTable(function, level.grid, level.dft, tree.cell_width(l), used_offsets(interactions, l));
+    level.table = TranslationTable(function, level.grid, level.dft, tree.cell_width(l));
     level.groups = SiblingGroups(tree, l);
-    level.multipoles.resize(level.groups.groups.size() * level.group_doubles());
-    level.spectra.resize(block_count(level.dft) * tree.level(l).size() * block_doubles);
+    level.multipoles.reset(new double[level.groups.groups.size() * level.group_doubles()]);
+    level.spectra.reset(new double[level.spectrum_doubles()]);
   }
   const NodeGrid none(2, flat);
   for (int l = 0; l + 1 < level_count(); ++l)
     transfers_.push_back(l < top_level ? GridTransfer(none, none) : GridTransfer(level(l + 1).grid, level(l).grid));
+}
+
+void SourceField::prepare(const Interactions& interactions) {
+  const int count = std::min(level_count(), static_cast<int>(interactions.levels.size()));
+  for (int l = top_level; l < count; ++l) {
+    std::vector<bool> used(Interactions::offset_count, false);
+    for (const Interactions::Far& far : interactions.levels[static_cast<std::size_t>(l)].far) used[far.offset] = true;
+    Level& level = levels_[static_cast<std::size_t>(l)];
+    level.table.add(level.dft, used);
+  }
 }
 
 void SourceField::gather(const double* weights) {
@@ -55,8 +47,9 @@ void SourceField::gather(const double* weights) {
 void SourceField::gather_level(int l, const double* weights) {
   Level& level = levels_[static_cast<std::size_t>(l)];
   const auto& cells = tree_.level(l);
+  tbb::enumerable_thread_specific<TransferScratch> scratch;
   tbb::parallel_for(std::size_t{0}, level.groups.groups.size(), [&](std::size_t g) {
-    double* group = level.multipoles.data() + g * level.group_doubles();
+    double* group = level.multipoles.get() + g * level.group_doubles();
     std::fill_n(group, level.group_doubles(), 0.0);
     for (std::uint32_t c = level.groups.groups[g].first; c < level.groups.groups[g].last; ++c) {
       double* lane = group + cells[c].octant();
@@ -66,7 +59,8 @@ void SourceField::gather_level(int l, const double* weights) {
       } else {
         const Level& finer = levels_[static_cast<std::size_t>(l) + 1];
         const std::size_t children = finer.groups.group_of_cell[cells[c].first_child];
-        add_siblings_to_parent(transfer(l), finer.multipoles.data() + children * finer.group_doubles(), lane);
+        add_siblings_to_parent(transfer(l), finer.multipoles.get() + children * finer.group_doubles(), lane,
+                               scratch.local());
       }
     }
   });
@@ -77,21 +71,26 @@ void SourceField::transform_level(int l) {
   const auto& cells = tree_.level(l);
   const std::size_t frequencies = level.dft.frequency_count(), stride = cells.size() * block_doubles;
   const std::array<int, 3> nodes{level.grid.count(0), level.grid.count(1), level.grid.count(2)};
+  struct Scratch {
+    std::vector<double> re, im, halfway;
+  };
+  tbb::enumerable_thread_specific<Scratch> scratch;
   tbb::parallel_for(std::size_t{0}, level.groups.groups.size(), [&](std::size_t g) {
-    thread_local std::vector<double> re, im, scratch;
+    auto& [re, im, halfway] = scratch.local();
     re.resize(frequencies * sibling_lanes);
     im.resize(frequencies * sibling_lanes);
-    level.dft.forward(nodes, level.multipoles.data() + g * level.group_doubles(), re.data(), im.data(), scratch);
+    level.dft.forward(nodes, level.multipoles.get() + g * level.group_doubles(), re.data(), im.data(), halfway);
     for (std::uint32_t c = level.groups.groups[g].first; c < level.groups.groups[g].last; ++c)
       store_lane(re.data(), im.data(), frequencies, static_cast<std::size_t>(cells[c].octant()),
-                 level.spectra.data() + c * block_doubles, stride);
+                 level.spectra.get() + c * block_doubles, stride);
   });
 }
 
 std::size_t SourceField::bytes() const {
   std::size_t sum = 0;
   for (const Level& level : levels_)
-    sum += (level.multipoles.size() + level.spectra.size()) * sizeof(double) + level.table.bytes();
+    sum += (level.groups.groups.size() * level.group_doubles() + level.spectrum_doubles()) * sizeof(double) +
+           level.table.bytes();
   return sum;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
-#include "recon/solvers/grid_dft.h"
 #include "recon/solvers/sibling_groups.h"
+#include "recon/solvers/translation_table.h"
 
 namespace isostack {
 
@@ -27,16 +28,18 @@ class SourceField {
     GridDft dft;
     TranslationTable table;
     SiblingGroups groups;
-    std::vector<double> multipoles;  ///< [group][node][lane]
-    std::vector<double> spectra;     ///< [block][cell][real, imaginary]
+    std::unique_ptr<double[]> multipoles;  ///< [group][node][lane]
+    std::unique_ptr<double[]> spectra;     ///< [block][cell][real, imaginary]
     std::size_t group_doubles() const { return grid.node_count() * sibling_lanes; }
+    std::size_t spectrum_doubles() const { return block_count(dft) * groups.group_of_cell.size() * block_doubles; }
   };
 
-  /// `interactions` tells which translations occur; null prepares all of them. The tree must
-  /// outlive this.
-  SourceField(const RadialFunction& function, const Octree& tree, const Interactions* interactions,
-              const std::array<bool, 3>& flat, const FarFieldOptions& options);
+  /// The tree must outlive this.
+  SourceField(const RadialFunction& function, const Octree& tree, const std::array<bool, 3>& flat,
+              const FarFieldOptions& options);
 
+  /// Prepares the translations that occur, unless they were prepared before.
+  void prepare(const Interactions& interactions);
   /// Weights in the tree's order.
   void gather(const double* weights);
 

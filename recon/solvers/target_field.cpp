@@ -1,18 +1,20 @@
 #include "recon/solvers/target_field.h"
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 
 namespace isostack {
 
-TargetField::TargetField(const SourceField& sources, const Octree& tree, const Interactions& interactions)
+TargetField::TargetField(SourceField& sources, const Octree& tree, const Interactions& interactions)
     : tree_(tree), levels_(static_cast<std::size_t>(tree.level_count())) {
+  sources.prepare(interactions);
   for (int l = SourceField::top_level; l < tree.level_count(); ++l) {
     Level& level = levels_[static_cast<std::size_t>(l)];
     const SourceField::Level& source = sources.level(l);
     level.groups = SiblingGroups(tree, l);
-    level.locals.resize(level.groups.groups.size() * source.group_doubles());
+    level.locals.reset(new double[level.groups.groups.size() * source.group_doubles()]);
     list_terms(level, source.table, interactions.levels[static_cast<std::size_t>(l)]);
     cut_into_chunks(level, source.dft.frequency_count());
   }
@@ -63,32 +65,33 @@ void TargetField::cut_into_chunks(Level& level, std::size_t frequencies) {
 }
 
 void TargetField::receive(const SourceField& sources) {
+  tbb::enumerable_thread_specific<Scratch> scratch;
   for (int l = SourceField::top_level; l < tree_.level_count(); ++l) {
     Level& level = levels_[static_cast<std::size_t>(l)];
     if (level.terms.empty()) {
-      std::fill(level.locals.begin(), level.locals.end(), 0.0);
+      std::fill_n(level.locals.get(), level.groups.groups.size() * sources.level(l).group_doubles(), 0.0);
       continue;
     }
     tbb::parallel_for(std::size_t{0}, level.chunks.size(),
-                      [&](std::size_t k) { translate_chunk(sources, l, level.chunks[k]); });
+                      [&](std::size_t k) { translate_chunk(sources, l, level.chunks[k], scratch.local()); });
   }
   distribute(sources);
 }
 
-void TargetField::translate_chunk(const SourceField& sources, int l, const Chunk& chunk) {
+void TargetField::translate_chunk(const SourceField& sources, int l, const Chunk& chunk, Scratch& scratch) {
   Level& level = levels_[static_cast<std::size_t>(l)];
   const SourceField::Level& source = sources.level(l);
   const auto& cells = tree_.level(l);
   const std::size_t frequencies = source.dft.frequency_count(), blocks = block_count(source.dft);
   const std::size_t source_stride = sources.tree().level(l).size() * block_doubles;
   const std::size_t quad_doubles = quad * block_doubles, stride = (chunk.last_quad - chunk.first_quad) * quad_doubles;
-  thread_local std::vector<double> sums, re, im, scratch;
+  auto& [sums, re, im, halfway] = scratch;
   sums.resize(blocks * stride);
   for (std::size_t b = 0; b < blocks; ++b)
     for (std::uint32_t q = chunk.first_quad; q < chunk.last_quad; ++q) {
       const TargetQuad& four = level.quads[q];
       sum_spectrum_block(level.terms.data() + four.first_term, four.last_term - four.first_term, source.table.block(b),
-                         source.spectra.data() + b * source_stride,
+                         source.spectra.get() + b * source_stride,
                          sums.data() + b * stride + (q - chunk.first_quad) * quad_doubles);
     }
   const std::array<int, 3> counts{source.grid.count(0), source.grid.count(1), source.grid.count(2)};
@@ -100,7 +103,7 @@ void TargetField::translate_chunk(const SourceField& sources, int l, const Chunk
       for (std::uint32_t c = level.quads[q].first_cell; c < level.quads[q].last_cell; ++c)
         load_lane(sums.data() + (q - chunk.first_quad) * quad_doubles + (c - level.quads[q].first_cell) * block_doubles,
                   stride, frequencies, static_cast<std::size_t>(cells[c].octant()), re.data(), im.data());
-    source.dft.inverse(counts, re.data(), im.data(), level.locals.data() + g * source.group_doubles(), scratch);
+    source.dft.inverse(counts, re.data(), im.data(), level.locals.get() + g * source.group_doubles(), halfway);
   }
 }
 
@@ -110,27 +113,28 @@ void TargetField::distribute(const SourceField& sources) {
     Level& finer = levels_[static_cast<std::size_t>(l) + 1];
     const auto& cells = tree_.level(l);
     const std::size_t size = sources.level(l).group_doubles(), finer_size = sources.level(l + 1).group_doubles();
+    tbb::enumerable_thread_specific<TransferScratch> scratch;
     tbb::parallel_for(std::size_t{0}, finer.groups.groups.size(), [&](std::size_t g) {
       const std::uint32_t parent = finer.groups.groups[g].parent;
-      const double* lane = level.locals.data() + level.groups.group_of_cell[parent] * size + cells[parent].octant();
-      add_parent_to_siblings(sources.transfer(l), lane, finer.locals.data() + g * finer_size);
+      const double* lane = level.locals.get() + level.groups.group_of_cell[parent] * size + cells[parent].octant();
+      add_parent_to_siblings(sources.transfer(l), lane, finer.locals.get() + g * finer_size, scratch.local());
     });
   }
 }
 
-void TargetField::add_at_leaf(const SourceField& sources, int l, std::uint32_t cell, const SumArrays& sums) const {
-  if (l < SourceField::top_level) return;
+ExpansionView TargetField::expansion(const SourceField& sources, int l, std::uint32_t cell) const {
   const Level& level = levels_[static_cast<std::size_t>(l)];
-  const SourceField::Level& source = sources.level(l);
-  const Octree::Cell& leaf = tree_.level(l)[cell];
-  const double* lane = level.locals.data() + level.groups.group_of_cell[cell] * source.group_doubles() + leaf.octant();
-  add_expansion_at_points(source.grid, cell_frame(tree_, l, cell), lane, points_of(tree_, leaf), sums);
+  const double* group = level.locals.get() + level.groups.group_of_cell[cell] * sources.level(l).group_doubles();
+  return {group + tree_.level(l)[cell].octant(), sibling_lanes};
 }
 
-std::size_t TargetField::bytes() const {
+std::size_t TargetField::bytes(const SourceField& sources) const {
   std::size_t sum = 0;
-  for (const Level& level : levels_)
-    sum += level.locals.size() * sizeof(double) + level.terms.size() * sizeof(QuadTerm);
+  for (int l = SourceField::top_level; l < tree_.level_count(); ++l) {
+    const Level& level = levels_[static_cast<std::size_t>(l)];
+    sum += level.groups.groups.size() * sources.level(l).group_doubles() * sizeof(double) +
+           level.terms.size() * sizeof(QuadTerm);
+  }
   return sum;
 }
 

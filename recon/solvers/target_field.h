@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "recon/solvers/interactions.h"
@@ -11,15 +12,15 @@ namespace isostack {
 /// of the target cells, and at the points of the leaves.
 class TargetField {
  public:
-  /// The tree must outlive this and be no deeper than the sources'.
-  TargetField(const SourceField& sources, const Octree& tree, const Interactions& interactions);
+  /// The tree must outlive this and be no deeper than the sources'. Has the sources prepare the translations.
+  TargetField(SourceField& sources, const Octree& tree, const Interactions& interactions);
 
   /// Takes over what `sources` has gathered.
   void receive(const SourceField& sources);
-  /// Adds the field of a leaf at its points.
-  void add_at_leaf(const SourceField& sources, int level, std::uint32_t cell, const SumArrays& sums) const;
+  /// The field of a cell at its nodes; the level is at least SourceField::top_level.
+  ExpansionView expansion(const SourceField& sources, int level, std::uint32_t cell) const;
 
-  std::size_t bytes() const;
+  std::size_t bytes(const SourceField& sources) const;
 
  private:
   /// Up to four siblings and the far cells of any of them.
@@ -36,11 +37,14 @@ class TargetField {
     std::vector<TargetQuad> quads;
     std::vector<QuadTerm> terms;
     std::vector<Chunk> chunks;
-    std::vector<double> locals;  ///< [group][node][lane]
+    std::unique_ptr<double[]> locals;  ///< [group][node][lane]
   };
   static void list_terms(Level& level, const TranslationTable& table, const Interactions::Level& lists);
   static void cut_into_chunks(Level& level, std::size_t frequencies);
-  void translate_chunk(const SourceField& sources, int l, const Chunk& chunk);
+  struct Scratch {
+    std::vector<double> sums, re, im, halfway;
+  };
+  void translate_chunk(const SourceField& sources, int l, const Chunk& chunk, Scratch& scratch);
   void distribute(const SourceField& sources);
 
   const Octree& tree_;

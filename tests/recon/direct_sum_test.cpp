@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "recon/geometry/errors.h"
+
 namespace isostack {
 namespace {
 
@@ -36,7 +38,7 @@ std::vector<Kernel> kernels_for(int dimension) {
   return kernels;
 }
 
-/// Tolerance: rounding of one term times the sum of their sizes; at the centre itself a zero is about 1e-278.
+/// Tolerance: rounding of one term times the sum of their sizes; at the centre itself r counts as 1e-100.
 void expect_equals_plain_loop(const Kernel& kernel, const Problem& problem) {
   const Eigen::VectorXd values = direct_sum(kernel, problem.centres, problem.weights, problem.targets);
   const Eigen::MatrixXd gradients = direct_sum_gradient(kernel, problem.centres, problem.weights, problem.targets);
@@ -53,7 +55,7 @@ void expect_equals_plain_loop(const Kernel& kernel, const Problem& problem) {
       sum += term, size += std::abs(term);
       gradient += slope, gradient_size += slope.norm();
     }
-    ASSERT_NEAR(values[i], sum, 1e-13 * size + 1e-200) << kernel.name() << ", target " << i;
+    ASSERT_NEAR(values[i], sum, 1e-13 * size + 1e-99) << kernel.name() << ", target " << i;
     ASSERT_LE((gradients.col(i) - gradient).norm(), 1e-13 * gradient_size) << kernel.name() << ", target " << i;
   }
 }
@@ -82,9 +84,38 @@ TEST(DirectSum, WithoutCentresOrTargetsIsZeroOrEmpty) {
 TEST(DirectSum, AtItsOwnCentreEveryKernelIsExactlyHarmless) {
   const Eigen::MatrixXd point = Eigen::Vector3d(3, -7, 11);
   for (const Kernel& kernel : kernels_for(3)) {
-    EXPECT_NEAR(direct_sum(kernel, point, Eigen::VectorXd::Ones(1), point)[0], 0, 1e-100) << kernel.name();
+    EXPECT_NEAR(direct_sum(kernel, point, Eigen::VectorXd::Ones(1), point)[0], 0, 1e-99) << kernel.name();
     EXPECT_EQ(direct_sum_gradient(kernel, point, Eigen::VectorXd::Ones(1), point).norm(), 0) << kernel.name();
   }
+}
+
+// Against Kernel's own slope and curvature: s·I + c·d·dᵀ per term.
+TEST(DirectSum, HessianEqualsAPlainLoop) {
+  for (const Kernel& kernel : kernels_for(3)) {
+    Problem problem = random_problem(3, 133, 57, 12);
+    problem.targets.leftCols(3).array() += 0.5;  // a kernel may have no second derivative at a centre
+    const RadialSums sums = direct_sums(kernel, problem.centres, problem.weights, problem.targets, Derivatives::second);
+    for (Eigen::Index i = 0; i < problem.targets.cols(); ++i) {
+      Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+      double size = 0;
+      for (Eigen::Index j = 0; j < problem.centres.cols(); ++j) {
+        const Eigen::Vector3d d = problem.targets.col(i) - problem.centres.col(j);
+        const Eigen::Matrix3d term =
+            problem.weights[j] * (kernel.slope_over_distance(d.squaredNorm()) * Eigen::Matrix3d::Identity() +
+                                  kernel.curvature_factor(d.squaredNorm()) * d * d.transpose());
+        hessian += term, size += term.norm();
+      }
+      const Eigen::VectorXd h = sums.hessians.col(i);
+      Eigen::Matrix3d found;
+      found << h[0], h[5], h[4], h[5], h[1], h[3], h[4], h[3], h[2];
+      ASSERT_LE((found - hessian).norm(), 1e-12 * size) << kernel.name() << ", target " << i;
+    }
+  }
+}
+
+TEST(DirectSum, RefusesWhatItCannotSum) {
+  const Eigen::MatrixXd points = Eigen::MatrixXd::Random(4, 5);
+  EXPECT_THROW(direct_sums(biharmonic(), points, Eigen::VectorXd::Ones(5), points, Derivatives::second), InputError);
 }
 
 TEST(DirectSum, DoesNotDependOnTheNumberOfThreads) {
