@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/alignment.h"
+
 namespace isostack::cli {
 
 namespace {
@@ -21,6 +23,8 @@ nlohmann::json to_json(const ReconstructReport& report) {
           {"constraints", report.constraints},
           {"merged_constraints", report.merged_constraints},
           {"largest_contradiction_mm", report.largest_contradiction},
+          {"contradictions", to_json(report.contradictions)},
+          {"softened_constraints", report.softened_constraints},
           {"predicted_bytes", report.predicted_bytes},
           {"peak_bytes", report.peak_bytes},
           {"solver", report.solver},
@@ -38,6 +42,12 @@ nlohmann::json to_json(const ReconstructReport& report) {
            {{"points", report.plane_points},
             {"wrong", report.plane_points_wrong},
             {"constraints_added", report.plane_constraints}}},
+          {"contour_residual_mm",
+           {{"mean", report.contour_residual.mean_mm},
+            {"p95", report.contour_residual.percentile95_mm},
+            {"largest", report.contour_residual.largest_mm}}},
+          {"smoothing", report.smoothing},
+          {"shares_faces_with", report.shares_faces_with},
           {"open_end", report.open_end},
           {"cut_by_bounds", report.cut_by_bounds},
           {"seconds",

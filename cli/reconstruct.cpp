@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
+#include "cli/alignment.h"
 #include "cli/commands.h"
 #include "cli/input_options.h"
 #include "cli/json_report.h"
@@ -13,6 +15,7 @@
 #include "io/write_mesh.h"
 #include "recon/geometry/errors.h"
 #include "recon/metrics/voxelize.h"
+#include "recon/reconstruct_all.h"
 
 namespace isostack::cli {
 
@@ -20,11 +23,15 @@ namespace {
 
 struct ReconstructCommand {
   InputOptions input;
+  AlignmentCommand alignment;
   std::vector<std::filesystem::path> outputs;
   std::filesystem::path grid;
   std::string preset = "default";
   std::string kernel;
   std::string solver = "auto";
+  std::string caps = "round";
+  bool interpolate = false;
+  double tolerance_mm = -1;  ///< negative: not given
   double memory_gb = 8;
   ReconstructOptions options;
 };
@@ -36,11 +43,14 @@ ReconstructOptions resolved(const ReconstructCommand& command) {
   options.solver = command.solver == "dense"  ? SolverChoice::dense
                    : command.solver == "fast" ? SolverChoice::fast
                                               : SolverChoice::automatic;
+  if (command.tolerance_mm >= 0) options.tolerance_mm = command.tolerance_mm;
+  if (command.interpolate) options.softening.strength = 0;
+  options.caps = command.caps == "flat" ? Caps::flat : command.caps == "open" ? Caps::open : Caps::round;
   options.memory_limit_bytes = static_cast<std::size_t>(command.memory_gb * 1e9);
   return options;
 }
 
-std::vector<Reconstruction> reconstruct_all(const ReconstructCommand& command, Session& session) {
+std::vector<Reconstruction> reconstruct_inputs(const ReconstructCommand& command, Session& session) {
   const ReconstructOptions options = resolved(command);
   std::vector<Reconstruction> surfaces;
   if (command.preset == "turk-obrien") {
@@ -50,16 +60,19 @@ std::vector<Reconstruction> reconstruct_all(const ReconstructCommand& command, S
     surfaces.push_back(reconstruct_turk_obrien(images, level_of(command.input), options, session.progress()));
     return surfaces;
   }
-  for (const ContourStack& organ : organs_from(command.input, session)) {
-    session.result["organs"].push_back(to_json(organ));
-    surfaces.push_back(reconstruct(organ, options, session.progress()));
-  }
-  return surfaces;
+  const std::vector<ContourStack> organs = aligned(organs_from(command.input, session), command.alignment, session);
+  for (const ContourStack& organ : organs) session.result["organs"].push_back(to_json(organ));
+  return reconstruct_all(organs, options, session.progress());
 }
 
-void note_what_was_left_out(const Reconstruction& surface, Session& session) {
+void note_what_was_left_out(const Reconstruction& surface, double thin_mm, Session& session) {
   const ReconstructReport& report = surface.report;
-  if (report.boundary_constraints < report.contour_points)
+  if (thin_mm > 0 && report.contour_residual.largest_mm > thin_mm)
+    session.note(
+        fmt::format("{}: contour points are up to {:.3g} mm from the surface, more than the {:g} mm of --thin; "
+                    "--max-constraints allows more constraints",
+                    surface.surface.name, report.contour_residual.largest_mm, thin_mm));
+  if (thin_mm <= 0 && report.boundary_constraints < report.contour_points)
     session.note(fmt::format(
         "{}: {} of {} contour points became constraints ({:.0f} %); --max-constraints keeps more", surface.surface.name,
         report.boundary_constraints, report.contour_points,
@@ -72,6 +85,9 @@ void note_what_was_left_out(const Reconstruction& surface, Session& session) {
                              surface.surface.name, report.contour_points_without_surface));
 }
 
+/// Smaller contradictions between crossing slices are not worth a line.
+constexpr double least_contradiction_mm = 0.5;
+
 void describe(const Reconstruction& surface, Session& session) {
   const MeshMeasures measures = measure(surface.surface);
   nlohmann::json entry = to_json(surface.report);
@@ -81,7 +97,9 @@ void describe(const Reconstruction& surface, Session& session) {
   session.text +=
       fmt::format("{}: {} constraints, solved in {:.1f} s, surface in {:.1f} s\n", surface.surface.name,
                   surface.report.constraints, surface.report.solve_seconds, surface.report.surface_seconds) +
-      to_text(measures);
+      fmt::format("  residual    {:.3f} mm mean, {:.3f} mm largest, of all contour points\n",
+                  surface.report.contour_residual.mean_mm, surface.report.contour_residual.largest_mm) +
+      to_text(measures) + to_text(surface.report.contradictions, least_contradiction_mm);
 }
 
 void write_surfaces(const std::vector<Reconstruction>& surfaces, const std::filesystem::path& output,
@@ -107,9 +125,9 @@ void write_label_grid(const std::vector<Reconstruction>& surfaces, const Reconst
 
 void run_reconstruct(const ReconstructCommand& command, Session& session) {
   for (const std::filesystem::path& output : command.outputs) require_writable(output, OutputPurpose::kSurfaceOrLabels);
-  const std::vector<Reconstruction> surfaces = reconstruct_all(command, session);
+  const std::vector<Reconstruction> surfaces = reconstruct_inputs(command, session);
   for (const Reconstruction& surface : surfaces) {
-    note_what_was_left_out(surface, session);
+    note_what_was_left_out(surface, command.options.thin_mm, session);
     describe(surface, session);
   }
   for (const std::filesystem::path& output : command.outputs) {
@@ -143,6 +161,36 @@ void add_solver_options(CLI::App& command, ReconstructCommand& options) {
       ->capture_default_str();
 }
 
+void add_surface_options(CLI::App& command, ReconstructCommand& options) {
+  command
+      .add_option("--caps", options.caps,
+                  "Ends beyond parallel slices: round (default), flat half a gap outside, or open")
+      ->check(CLI::IsMember({"round", "flat", "open"}));
+  CLI::Option* interpolate =
+      command.add_flag("--interpolate", options.interpolate, "Pass through every constraint, also contradicting ones");
+  command
+      .add_option("--tolerance", options.tolerance_mm,
+                  "The smoothest surface within this distance of all contour points, mm")
+      ->check(CLI::NonNegativeNumber)
+      ->excludes(interpolate)
+      ->excludes("--smoothing");
+  interpolate->excludes("--smoothing");
+  command
+      .add_option("--thin", options.options.thin_mm,
+                  "As few constraints as bring all contour points within this distance of the surface, mm")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--allow-overlap", options.options.allow_overlap,
+                   "Leave each organ's surface as it is by itself, even where two overlap");
+}
+
+void require_options_that_agree(const ReconstructCommand& command) {
+  if (command.preset == "turk-obrien" && (command.tolerance_mm >= 0 || command.options.thin_mm > 0))
+    throw CLI::ValidationError("--preset turk-obrien",
+                               "works on pixels, not contours; leave out --tolerance and --thin");
+  if (command.caps == "open" && std::any_of(command.outputs.begin(), command.outputs.end(), is_label_file))
+    throw CLI::ValidationError("--caps open", "labels need a closed surface; choose round or flat ends");
+}
+
 }  // namespace
 
 void add_reconstruct(CLI::App& app, Session& session) {
@@ -152,6 +200,8 @@ void add_reconstruct(CLI::App& app, Session& session) {
   add_slice_choice(*command, options->input);
   add_segmentation_options(*command, options->input);
   add_solver_options(*command, *options);
+  add_alignment_options(*command, options->alignment);
+  add_surface_options(*command, *options);
   command
       ->add_option("-o,--output", options->outputs,
                    "Surface (.stl, .ply, .obj, .vtp, .gltf) or labels (.nii, .nii.gz); may be repeated")
@@ -159,7 +209,10 @@ void add_reconstruct(CLI::App& app, Session& session) {
       ->type_name("OUT");
   command->add_option("--grid", options->grid, "Volume whose grid label output uses (default: the input's)")
       ->type_name("REF");
-  command->callback([options, &session] { session.run = [options, &session] { run_reconstruct(*options, session); }; });
+  command->callback([options, &session] {
+    require_options_that_agree(*options);
+    session.run = [options, &session] { run_reconstruct(*options, session); };
+  });
 }
 
 }  // namespace isostack::cli

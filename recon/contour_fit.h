@@ -2,8 +2,11 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <vector>
 
 #include "recon/constraints/contour_constraints.h"
+#include "recon/constraints/contour_samples.h"
+#include "recon/constraints/plane_check.h"
 #include "recon/geometry/contour.h"
 #include "recon/geometry/progress.h"
 #include "recon/reconstruct.h"
@@ -28,13 +31,25 @@ class ContourFit {
  private:
   ImplicitFunction settle(int solves);
   ImplicitFunction solve(double tolerance_pixels);
-  bool add_disagreements(const ImplicitFunction& function);
+  std::vector<Disagreement> disagreements(const ImplicitFunction& function);
+  void add(const std::vector<Disagreement>& wrong);
+  ConstraintSet smoothed_constraints();
+  void build_constraints();
+  bool add_farthest(const ImplicitFunction& function);
+  ImplicitFunction smooth_to_tolerance(ImplicitFunction interpolating);
+  void report_residual(const ImplicitFunction& function);
 
   const ContourStack& contours_;
   const ReconstructOptions& options_;
   const Progress& progress_;
   ReconstructReport& report_;
   double pixel_mm_;
+  double smoothing_;
+  std::vector<ContourSample> samples_;            ///< contour points that are constraints
+  std::vector<ContourSample> contour_points_;     ///< all of them
+  std::vector<Eigen::Vector3d> added_points_mm_;  ///< what planes objected to
+  std::vector<double> added_values_mm_;
+  std::vector<SoftPlace> soft_places_;
   ContourConstraints built_;
   std::unique_ptr<InterpolationSolver> solver_;
   Eigen::VectorXd weights_;  ///< of the last solve; constraints added since are not among them

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "recon/constraints/empty_slices.h"
+#include "recon/solvers/box_tree.h"
 
 namespace isostack {
 
@@ -76,6 +77,43 @@ std::vector<Disagreement> spread_out(std::vector<Disagreement> all, std::size_t 
   return chosen;
 }
 
+/// The surface passes through every contour, also those of other planes: it is no farther than the nearest point of
+/// one.
+class NearestContourPoint {
+ public:
+  explicit NearestContourPoint(const ContourStack& stack) : tree_(in_curve_order(points_of(stack))) {
+    const Eigen::MatrixXd& p = tree_.points();
+    extent_mm_ = (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
+  }
+
+  double distance_mm(const Eigen::Vector3d& point_mm) const {
+    std::vector<BoxTree::Neighbour> found;
+    for (double radius_mm = extent_mm_ / 64;; radius_mm *= 2) {
+      tree_.within(point_mm, radius_mm, found, [](std::uint32_t) { return true; });
+      if (!found.empty()) return std::sqrt(std::min_element(found.begin(), found.end())->squared_distance);
+    }
+  }
+
+ private:
+  static Eigen::MatrixXd points_of(const ContourStack& stack) {
+    Eigen::MatrixXd points(3, static_cast<Eigen::Index>(point_count(stack)));
+    Eigen::Index at = 0;
+    for (const ContourSlice& slice : stack.slices)
+      for (const Contour& contour : slice.contours)
+        for (const Eigen::Vector2d& p : contour.points_mm) points.col(at++) = slice.pose.slice_to_world(p);
+    return points;
+  }
+  static Eigen::MatrixXd in_curve_order(const Eigen::MatrixXd& points) {
+    const std::vector<std::uint32_t> order = curve_order(points);
+    Eigen::MatrixXd sorted(3, points.cols());
+    for (std::size_t k = 0; k < order.size(); ++k) sorted.col(static_cast<Eigen::Index>(k)) = points.col(order[k]);
+    return sorted;
+  }
+
+  BoxTree tree_;
+  double extent_mm_ = 0;
+};
+
 }  // namespace
 
 PlaneCheck check_planes(const std::function<Eigen::VectorXd(const Eigen::MatrixXd&)>& values, const ContourStack& stack,
@@ -86,6 +124,7 @@ PlaneCheck check_planes(const std::function<Eigen::VectorXd(const Eigen::MatrixX
     points.col(static_cast<Eigen::Index>(i)) =
         stack.slices[lattice[i].slice].pose.slice_to_world(lattice[i].point_in_slice_mm);
   const Eigen::VectorXd f = values(points);
+  const NearestContourPoint nearest(stack);
 
   std::vector<double> wrong_by_mm(lattice.size(), 0.0);  // 0 where the sign is right
   tbb::parallel_for(std::size_t{0}, lattice.size(), [&](std::size_t i) {
@@ -96,7 +135,9 @@ PlaneCheck check_planes(const std::function<Eigen::VectorXd(const Eigen::MatrixX
                                                    : signed_distance_mm(slice.contours, lattice[i].point_in_slice_mm);
     const bool is_near =
         !slice.contours.empty() && std::abs(distance) <= options.tolerance_pixels * slice.pose.spacing_mm.minCoeff();
-    if (!is_near) wrong_by_mm[i] = distance;
+    if (is_near) return;
+    const double bound = nearest.distance_mm(points.col(static_cast<Eigen::Index>(i)));
+    wrong_by_mm[i] = std::clamp(distance, -bound, bound);
   });
 
   PlaneCheck check;

@@ -19,7 +19,9 @@ struct PlaneCheckOptions {
 struct Disagreement {
   std::size_t slice;
   Eigen::Vector3d point_mm;
-  double distance_mm;  ///< signed distance to the slice's contours, positive inside: what f should be
+  /// What f should be, positive inside: the signed distance to the slice's contours, or to the nearest point of any
+  /// slice's contour if that is nearer, as the surface passes there too.
+  double distance_mm;
 };
 
 struct PlaneCheck {

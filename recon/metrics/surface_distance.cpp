@@ -12,6 +12,7 @@
 
 #include "recon/geometry/errors.h"
 #include "recon/metrics/point_triangle.h"
+#include "recon/metrics/quantile.h"
 
 namespace isostack {
 
@@ -42,16 +43,6 @@ struct ClosestTriangle {
 void require_triangles(const TriangleMesh& mesh) {
   if (mesh.triangles.empty())
     throw InputError(mesh.name.empty() ? "mesh" : mesh.name, "the mesh has no triangles", "give a surface");
-}
-
-double quantile(std::vector<double> values, double fraction) {
-  const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[static_cast<std::size_t>(rank)];
-}
-
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 }  // namespace

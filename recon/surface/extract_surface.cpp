@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -16,10 +17,22 @@ namespace {
 
 using Key = Lattice::Key;
 
-/// Distance to the nearest of the bounds, positive within all of them.
-double depth_within_bounds_mm(const ExtractionOptions& options, const Eigen::Vector3d& p) {
-  double depth = std::min((p - options.bounds.min()).minCoeff(), (options.bounds.max() - p).minCoeff());
-  for (const auto& half_space : options.half_spaces) depth = std::min(depth, half_space.signedDistance(p));
+/// Distance to the nearest of the bounds, positive within all of them, and the way in.
+struct Depth {
+  double mm;
+  Eigen::Vector3d inwards;
+};
+
+Depth depth_within_bounds(const ExtractionOptions& options, const Eigen::Vector3d& p) {
+  Depth depth{std::numeric_limits<double>::infinity(), Eigen::Vector3d::Zero()};
+  const auto consider = [&](double mm, const Eigen::Vector3d& inwards) {
+    if (mm < depth.mm) depth = {mm, inwards};
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    consider(p[axis] - options.bounds.min()[axis], Eigen::Vector3d::Unit(axis));
+    consider(options.bounds.max()[axis] - p[axis], -Eigen::Vector3d::Unit(axis));
+  }
+  for (const auto& half_space : options.half_spaces) consider(half_space.signedDistance(p), half_space.normal());
   return depth;
 }
 
@@ -29,13 +42,20 @@ ScalarField cut_to_bounds(const ScalarField& field, const ExtractionOptions& opt
   cut.values = [&field, &options, &was_cut](const Eigen::Matrix3Xd& points) {
     Eigen::VectorXd values = field.values(points);
     for (Eigen::Index i = 0; i < values.size(); ++i) {
-      const double depth = depth_within_bounds_mm(options, points.col(i));
+      const double depth = depth_within_bounds(options, points.col(i)).mm;
       was_cut = was_cut || (depth < 0 && values[i] >= 0);
       values[i] = std::min(values[i], depth);
     }
     return values;
   };
-  cut.gradients = field.gradients;
+  cut.gradients = [&field, &options](const Eigen::Matrix3Xd& points) {
+    Eigen::Matrix3Xd gradients = field.gradients(points);
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {  // asked for at vertices: near a bound they lie on it
+      const Depth depth = depth_within_bounds(options, points.col(i));
+      if (depth.mm < 1e-3 * options.resolution_mm) gradients.col(i) = depth.inwards;
+    }
+    return gradients;
+  };
   return cut;
 }
 

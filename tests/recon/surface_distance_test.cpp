@@ -25,6 +25,17 @@ TEST(SurfaceDistance, OfConcentricSpheresIsTheDifferenceOfRadii) {
   EXPECT_NEAR(d.largest_mm, 3, sagitta);
 }
 
+TEST(SurfaceDistance, OfAShiftedSphereIsInClosedForm) {
+  // Shifted by s, a point at angle t from the shift lies | |r e(t) - s| - r | = s |cos t| + O(s²) from the other
+  // sphere: s/2 in the mean over the area, s at most.
+  const double shift = 0.5;
+  const SurfaceDistance d =
+      surface_distance(sphere_mesh({0, 0, 0}, 20, 240, 160), sphere_mesh({shift, 0, 0}, 20, 240, 160));
+  EXPECT_NEAR(d.mean_mm, shift / 2, 0.01);  // facets of 1.5°: 0.0035 mm; s²/r: 0.012; 25,000 samples: 0.001
+  EXPECT_NEAR(d.percentile95_mm, 0.95 * shift, 0.015);  // |cos t| is uniform over the area
+  EXPECT_NEAR(d.largest_mm, shift, 0.01);
+}
+
 TEST(SurfaceDistance, OfAMeshToItselfIsZero) {
   const TriangleMesh torus = torus_mesh(20, 6, 40, 30);
   EXPECT_LT(surface_distance(torus, torus, {.samples = 2000}).largest_mm, 1e-7);  // the root of the square's rounding
