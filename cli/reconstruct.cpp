@@ -14,6 +14,7 @@
 #include "io/volume_files.h"
 #include "io/write_mesh.h"
 #include "recon/geometry/errors.h"
+#include "recon/metrics/choose_kernel.h"
 #include "recon/metrics/voxelize.h"
 #include "recon/reconstruct_all.h"
 
@@ -39,7 +40,7 @@ struct ReconstructCommand {
 /// Options with the preset's and the command line's choices resolved.
 ReconstructOptions resolved(const ReconstructCommand& command) {
   ReconstructOptions options = command.options;
-  if (!command.kernel.empty()) options.kernel = kernel_named(command.kernel);
+  if (!command.kernel.empty() && command.kernel != "auto") options.kernel = kernel_named(command.kernel);
   options.solver = command.solver == "dense"  ? SolverChoice::dense
                    : command.solver == "fast" ? SolverChoice::fast
                                               : SolverChoice::automatic;
@@ -50,8 +51,26 @@ ReconstructOptions resolved(const ReconstructCommand& command) {
   return options;
 }
 
+/// The kernel and smoothing that predict left-out slices of the organ with the most contour points best.
+void choose_kernel(const std::vector<ContourStack>& organs, ReconstructOptions& options, Session& session) {
+  const auto& organ = *std::max_element(organs.begin(), organs.end(),
+                                        [](const auto& a, const auto& b) { return point_count(a) < point_count(b); });
+  const std::vector<KernelTrial> trials = try_kernels(organ, options, session.progress());
+  options.kernel = trials.front().kernel;
+  options.smoothing = trials.front().smoothing;
+  session.text += "kernels, by how they predict every second slice\n";
+  for (const KernelTrial& trial : trials) {
+    session.result["kernels"].push_back({{"kernel", trial.kernel.name()},
+                                         {"smoothing", trial.smoothing},
+                                         {"mean_distance_mm", trial.agreement.mean_mm},
+                                         {"dice", trial.agreement.dice}});
+    session.text += fmt::format("  {:<12} smoothing {:<8.3g} mean {:.3f} mm, Dice {:.4f}\n", trial.kernel.name(),
+                                trial.smoothing, trial.agreement.mean_mm, trial.agreement.dice);
+  }
+}
+
 std::vector<Reconstruction> reconstruct_inputs(const ReconstructCommand& command, Session& session) {
-  const ReconstructOptions options = resolved(command);
+  ReconstructOptions options = resolved(command);
   std::vector<Reconstruction> surfaces;
   if (command.preset == "turk-obrien") {
     if (command.input.level.empty())
@@ -62,6 +81,7 @@ std::vector<Reconstruction> reconstruct_inputs(const ReconstructCommand& command
   }
   const std::vector<ContourStack> organs = aligned(organs_from(command.input, session), command.alignment, session);
   for (const ContourStack& organ : organs) session.result["organs"].push_back(to_json(organ));
+  if (command.kernel == "auto") choose_kernel(organs, options, session);
   return reconstruct_all(organs, options, session.progress());
 }
 
@@ -143,8 +163,11 @@ void add_solver_options(CLI::App& command, ReconstructCommand& options) {
   ReconstructOptions& r = options.options;
   command.add_option("--preset", options.preset, "How constraints are made: default, or the 1999 paper's own recipe")
       ->check(CLI::IsMember({"default", "turk-obrien"}));
-  command.add_option("--kernel", options.kernel, "biharmonic (r), thin_plate (r² log r) or triharmonic (r³, default)")
-      ->check(CLI::IsMember({"biharmonic", "thin_plate", "triharmonic"}));
+  command
+      .add_option("--kernel", options.kernel,
+                  "biharmonic (r), thin_plate (r² log r), triharmonic (r³, default), or auto: whichever predicts "
+                  "left-out slices best")
+      ->check(CLI::IsMember({"biharmonic", "thin_plate", "triharmonic", "auto"}));
   command.add_option("--solver", options.solver, "How the system is solved")
       ->check(CLI::IsMember({"auto", "dense", "fast"}))
       ->capture_default_str();

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "recon/geometry/errors.h"
+#include "recon/geometry/self_crossing.h"
 
 namespace isostack {
 
@@ -22,6 +23,12 @@ void check_contour(const Contour& contour, const std::string& where) {
   const bool finite = std::all_of(contour.points_mm.begin(), contour.points_mm.end(),
                                   [](const Eigen::Vector2d& point) { return point.allFinite(); });
   if (!finite) throw InputError(where, "a contour has a coordinate that is not a number", "repair the file");
+  if (const auto point = self_crossing(contour))
+    throw InputError(where,
+                     fmt::format("a contour crosses itself at ({:.2f}, {:.2f}) mm in the slice, so that inside and "
+                                 "outside are undecided there",
+                                 point->x(), point->y()),
+                     "redraw it, or split it into loops that do not cross");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace isostack {
 
 /// What every contour reader does at the end of a slice: the pose is checked, a repeated last point
 /// dropped, nesting and orientation computed. Throws InputError naming `file` and the slice when a
-/// curve has fewer than three points or points that are not numbers.
+/// curve has fewer than three points, points that are not numbers, or crosses itself.
 void complete_slice(ContourSlice& slice, const std::string& file);
 
 /// "FILE, slice NAME" for messages.

@@ -76,6 +76,15 @@ SliceSplit split_slices(const ContourStack& contours, int every) {
   return split;
 }
 
+SliceAgreement agreement_on_dropped(const ContourStack& contours, const SliceSplit& split,
+                                    const ReconstructOptions& options, ReconstructReport& report,
+                                    const Progress& progress) {
+  Reconstruction result = reconstruct(kept_slices(contours, split), options, progress);
+  report = std::move(result.report);
+  progress.report("compare", 0);
+  return compare(contours, split, [&](const ContourSlice& slice) { return plane_section(result.surface, slice.pose); });
+}
+
 LeaveOutStudy leave_out(const ContourStack& contours, int every, const ReconstructOptions& options,
                         const Progress& progress) {
   const SliceSplit split = split_slices(contours, every);
@@ -83,13 +92,8 @@ LeaveOutStudy leave_out(const ContourStack& contours, int every, const Reconstru
   LeaveOutStudy study{
       .every = every, .kept = split.kept.size(), .dropped = split.dropped.size(), .methods = {}, .report = {}};
   const Stopwatch watch;
-  Reconstruction result = reconstruct(kept, options, progress);
-  progress.report("compare", 0);
-  study.methods.push_back(
-      {"isostack",
-       compare(contours, split, [&](const ContourSlice& slice) { return plane_section(result.surface, slice.pose); }),
-       watch.seconds()});
-  study.report = std::move(result.report);
+  const SliceAgreement agreement = agreement_on_dropped(contours, split, options, study.report, progress);
+  study.methods.push_back({"isostack", agreement, watch.seconds()});
   if (!split.parallel) return study;
   const Stopwatch distance_watch;
   const SignedDistanceStack distances = signed_distance_stack(kept, lattice_of(kept.slices.front(), kept));
@@ -97,8 +101,8 @@ LeaveOutStudy leave_out(const ContourStack& contours, int every, const Reconstru
   for (const auto& [name, how] : {std::pair{"cubic", AlongNormal::cubic}, std::pair{"linear", AlongNormal::linear}}) {
     progress.report("compare", how == AlongNormal::cubic ? 0.3 : 0.6);
     const Stopwatch method_watch;
-    const SliceAgreement agreement = compare_interpolated(contours, split, distances, how);
-    study.methods.push_back({name, agreement, shared_seconds + method_watch.seconds()});
+    const SliceAgreement interpolated = compare_interpolated(contours, split, distances, how);
+    study.methods.push_back({name, interpolated, shared_seconds + method_watch.seconds()});
   }
   return study;
 }

@@ -22,6 +22,12 @@ struct SliceSplit {
 /// given. Throws InputError for every < 2 and when fewer than two slices are kept or none is dropped.
 SliceSplit split_slices(const ContourStack& contours, int every);
 
+/// Reconstructs from the kept slices and compares the surface's sections with the dropped slices' contours.
+/// Throws as reconstruct() does.
+SliceAgreement agreement_on_dropped(const ContourStack& contours, const SliceSplit& split,
+                                    const ReconstructOptions& options, ReconstructReport& report,
+                                    const Progress& progress = {});
+
 /// One method's contours on the dropped slices against the slices' own.
 struct MethodAgreement {
   std::string method;  ///< "isostack", "cubic" or "linear"

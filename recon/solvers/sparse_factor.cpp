@@ -194,9 +194,7 @@ Eigen::VectorXd SparseFactor::times(const Eigen::VectorXd& v) const {
   return result;
 }
 
-Eigen::VectorXd SparseFactor::apply(const Eigen::VectorXd& residual) const {
-  return times(transposed_times(residual));
-}
+Eigen::VectorXd SparseFactor::apply(const Eigen::VectorXd& residual) const { return times(transposed_times(residual)); }
 
 std::size_t SparseFactor::bytes() const {
   return indices_.size() * (sizeof(std::uint32_t) + sizeof(double)) + begin_.size() * sizeof(std::uint64_t);

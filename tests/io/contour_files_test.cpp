@@ -124,6 +124,10 @@ TEST(ContourFilesJson, EachMistakeIsNamed) {
   EXPECT_NE(open.find("a.json, slice plane 7: a contour is open"), std::string::npos) << open;
   const auto two = message_with([](auto&, auto& slice) { slice["contours"][0]["points_mm"].erase(0); });
   EXPECT_NE(two.find("slice plane 7: a contour has 2 points"), std::string::npos) << two;
+  const auto eight = message_with([](auto&, auto& slice) {
+    slice["contours"][0]["points_mm"] = {{0, 0}, {4, 4}, {4, 0}, {0, 4}};
+  });
+  EXPECT_NE(eight.find("slice plane 7: a contour crosses itself at (2.00, 2.00) mm"), std::string::npos) << eight;
   const auto skewed = message_with([](auto&, auto& slice) { slice["pose"]["y_axis"] = {1, 0, 0}; });
   EXPECT_NE(skewed.find("plane 7"), std::string::npos) << skewed;
   const auto short_point = message_with([](auto&, auto& slice) { slice["contours"][0]["points_mm"][0] = {1}; });

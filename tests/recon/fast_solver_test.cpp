@@ -8,30 +8,13 @@
 #include <string>
 
 #include "recon/solvers/direct_sum.h"
-#include "tests/benchmarks/star_stack.h"
+#include "tests/support/solver_cases.h"
 
 namespace isostack {
 namespace {
 
 using benchmarks::star_stack;
 using benchmarks::StarStack;
-
-Eigen::MatrixXd random_points(int dimension, int count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-100, 100);
-  return Eigen::MatrixXd::NullaryExpr(dimension, count, [&] { return uniform(random); });
-}
-
-Eigen::VectorXd evaluate(const Kernel& kernel, const Eigen::MatrixXd& centres, const RadialWeights& f,
-                         const Eigen::MatrixXd& at) {
-  return direct_sum(kernel, centres, f.weights, at) + f.tail.values(at) * f.tail_coefficients;
-}
-
-FastSolverOptions to(double tolerance) {
-  FastSolverOptions options;
-  options.tolerance = tolerance;
-  return options;
-}
 
 class FastSolverKernels : public testing::TestWithParam<std::string> {
  protected:
