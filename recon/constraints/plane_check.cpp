@@ -7,33 +7,16 @@
 #include <cmath>
 
 #include "recon/constraints/empty_slices.h"
+#include "recon/constraints/plane_lines.h"
 #include "recon/solvers/box_tree.h"
 
 namespace isostack {
 
 namespace {
 
-/// The part of each slice to look at: its image, or without one the box of all contours and a tenth more.
+/// The part of each slice to look at: what it sees near the contours.
 Eigen::AlignedBox2d region_of(const ContourSlice& slice, const Eigen::AlignedBox3d& contours_box) {
-  Eigen::AlignedBox2d region;
-  for (int corner = 0; corner < 8; ++corner)
-    region.extend(slice.pose.world_to_slice(contours_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
-  const Eigen::Vector2d margin = 0.1 * region.sizes();
-  region.extend(region.min() - margin);
-  region.extend(region.max() + margin);
-  if ((slice.size_pixels.array() > 0).all()) {
-    const Eigen::Vector2d last = slice.pose.pixel_to_slice((slice.size_pixels.array() - 1).cast<double>().matrix());
-    region = region.intersection(Eigen::AlignedBox2d(Eigen::Vector2d::Zero(), last));
-  }
-  return region;
-}
-
-Eigen::AlignedBox3d box_of(const ContourStack& stack) {
-  Eigen::AlignedBox3d box;
-  for (const ContourSlice& slice : stack.slices)
-    for (const Contour& contour : slice.contours)
-      for (const Eigen::Vector2d& p : contour.points_mm) box.extend(slice.pose.slice_to_world(p));
-  return box;
+  return around_contours(slice.pose, contours_box).intersection(field_of_view(slice, contours_box));
 }
 
 struct LatticePoint {
@@ -42,7 +25,7 @@ struct LatticePoint {
 };
 
 std::vector<LatticePoint> lattice_on(const ContourStack& stack, std::size_t max_points) {
-  const Eigen::AlignedBox3d box = box_of(stack);
+  const Eigen::AlignedBox3d box = box_of_contours(stack);
   double area_pixels = 0;
   for (const ContourSlice& slice : stack.slices) {
     const Eigen::AlignedBox2d region = region_of(slice, box);

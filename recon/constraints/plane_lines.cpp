@@ -15,15 +15,17 @@ std::optional<PlaneLine> line_between(const SlicePose& a, const SlicePose& b) {
   return PlaneLine{a.origin_mm + step_mm * towards_b, across.normalized()};
 }
 
-Eigen::AlignedBox2d field_of_view(const ContourSlice& slice, const Eigen::AlignedBox3d& contours_box) {
-  if ((slice.size_pixels.array() > 0).all())
-    return {Eigen::Vector2d::Zero(),
-            slice.pose.pixel_to_slice((slice.size_pixels.array() - 1).cast<double>().matrix())};
+Eigen::AlignedBox2d around_contours(const SlicePose& pose, const Eigen::AlignedBox3d& contours_box) {
   Eigen::AlignedBox2d region;
   for (int corner = 0; corner < 8; ++corner)
-    region.extend(slice.pose.world_to_slice(contours_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
+    region.extend(pose.world_to_slice(contours_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
   const Eigen::Vector2d margin = 0.1 * region.sizes();
   return {region.min() - margin, region.max() + margin};
+}
+
+Eigen::AlignedBox2d field_of_view(const ContourSlice& slice, const Eigen::AlignedBox3d& contours_box) {
+  if ((slice.size_pixels.array() <= 0).any()) return around_contours(slice.pose, contours_box);
+  return {Eigen::Vector2d::Zero(), slice.pose.pixel_to_slice((slice.size_pixels.array() - 1).cast<double>().matrix())};
 }
 
 LineRange range_within(const PlaneLine& line, const SlicePose& pose, const Eigen::AlignedBox2d& region) {

@@ -33,8 +33,11 @@ struct ContourCrossing {
 /// The planes' common line; nothing for parallel planes (see are_parallel).
 std::optional<PlaneLine> line_between(const SlicePose& a, const SlicePose& b);
 
-/// The part of a slice that says something: its image, or without one the part of its plane within `contours_box`
-/// (world mm) and a tenth more. Slice coordinates, mm.
+/// The part of a plane that `contours_box` (world mm) projects to, and a tenth more. Slice coordinates, mm.
+Eigen::AlignedBox2d around_contours(const SlicePose& pose, const Eigen::AlignedBox3d& contours_box);
+
+/// The part of a slice that says something: its image, or without one the part around the contours.
+/// Slice coordinates, mm.
 Eigen::AlignedBox2d field_of_view(const ContourSlice& slice, const Eigen::AlignedBox3d& contours_box);
 
 /// The part of the line, which lies in the slice's plane, within the rectangle `region` (slice coordinates, mm).

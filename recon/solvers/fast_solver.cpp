@@ -140,10 +140,16 @@ Eigen::VectorXd FastSolver::accurate_times(const Eigen::VectorXd& weights) {
   return system_times(*outer_, weights);
 }
 
+/// Whether what is held would stay within the limit if the products grew by half, as two more orders make them.
+bool FastSolver::may_grow() const {
+  const std::size_t products = (inner_ ? inner_->bytes() : 0) + (outer_ ? outer_->bytes() : 0);
+  return preconditioner_->bytes() + products + products / 2 <= options_.memory_limit_bytes;
+}
+
 /// A more accurate product, when the present one hides what is left of the residual.
 bool FastSolver::raise_outer_order() {
   constexpr int most_order = 14;
-  if (outer_is_direct() || outer_options_.far_field.order + 2 > most_order) return false;
+  if (outer_is_direct() || outer_options_.far_field.order + 2 > most_order || !may_grow()) return false;
   outer_options_.far_field.order += 2;
   outer_options_.far_field.most_order = std::max(outer_options_.far_field.most_order, outer_options_.far_field.order);
   outer_.reset();
@@ -213,7 +219,7 @@ void FastSolver::refine(Iteration& state, const Eigen::VectorXd& values, Solutio
       const int iterations = state.iterations;
       state = before;
       state.iterations = iterations;
-      if (inner_options_.far_field.order >= most_order) break;
+      if (inner_options_.far_field.order >= most_order || !may_grow()) break;
       ++inner_options_.far_field.order;
       inner_.reset();
       continue;
@@ -229,7 +235,7 @@ void FastSolver::refine(Iteration& state, const Eigen::VectorXd& values, Solutio
         state = before;
         state.iterations = iterations;
       }
-      const bool finer = inner_options_.far_field.order + 2 <= most_order;
+      const bool finer = inner_options_.far_field.order + 2 <= most_order && may_grow();
       if (finer) {
         inner_options_.far_field.order += 2;
         inner_.reset();

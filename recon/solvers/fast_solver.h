@@ -73,6 +73,7 @@ class FastSolver {
   bool outer_is_direct() const { return order_.size() <= 20'000; }
   Eigen::VectorXd accurate_times(const Eigen::VectorXd& weights);
   bool raise_outer_order();
+  bool may_grow() const;
   void correct(Iteration& state, const Eigen::VectorXd& values);
   void refine(Iteration& state, const Eigen::VectorXd& values, Solution& solution, const Progress& progress);
   double checked_residual(const Iteration& state, const Eigen::VectorXd& values, Solution& solution) const;
