@@ -135,9 +135,12 @@ void write_surfaces(const std::vector<Reconstruction>& surfaces, const std::file
 void write_label_grid(const std::vector<Reconstruction>& surfaces, const ReconstructCommand& command,
                       const std::filesystem::path& output, Session& session) {
   const std::filesystem::path reference = command.grid.empty() ? command.input.paths.front() : command.grid;
-  LabelVolume labels(read_grid(reference, command.input.read_options()));
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-    voxelize(surfaces[i].surface, static_cast<std::uint16_t>(i + 1), labels);
+  LabelMap labels{.layers = {LabelVolume(read_grid(reference, command.input.read_options()))}, .segments = {}};
+  for (const Reconstruction& surface : surfaces) {
+    const auto value = static_cast<std::uint16_t>(labels.segments.size() + 1);
+    voxelize(surface.surface, value, labels.layers.front());
+    labels.segments.push_back({.name = surface.surface.name, .value = value, .color = surface.surface.color});
+  }
   write_labels(labels, output);
   session.result["outputs"].push_back(output.string());
   session.text += "wrote " + output.string() + "\n";

@@ -25,8 +25,13 @@ void run_segment(const SegmentCommand& command, Session& session) {
   require_writable(command.output, OutputPurpose::kContoursOrLabels);
   const std::vector<ContourStack> organs = organs_from(command.input, session);
   if (is_label_file(command.output)) {
-    LabelVolume labels(read_grid(command.input.paths.front(), command.input.read_options()));
-    for (std::size_t i = 0; i < organs.size(); ++i) rasterize(organs[i], static_cast<std::uint16_t>(i + 1), labels);
+    LabelMap labels{.layers = {LabelVolume(read_grid(command.input.paths.front(), command.input.read_options()))},
+                    .segments = {}};
+    for (const ContourStack& organ : organs) {
+      const auto value = static_cast<std::uint16_t>(labels.segments.size() + 1);
+      rasterize(organ, value, labels.layers.front());
+      labels.segments.push_back({.name = organ.name, .value = value, .layer = 0, .color = organ.color});
+    }
     write_labels(labels, command.output);
   } else {
     write_contours(organs, command.output);

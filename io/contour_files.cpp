@@ -16,8 +16,9 @@ bool holds_contours(const std::filesystem::path& path) {
   return format && format->holds_contours(path);
 }
 
-void write_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path) {
-  format_for(path, &Format::write_contours, "contours").write_contours(organs, path);
+void write_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path,
+                    const WriteOptions& options) {
+  format_for(path, &Format::write_contours, "contours").write_contours(organs, path, options);
 }
 
 }  // namespace isostack

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "io/write_options.h"
 #include "recon/geometry/contour.h"
 
 namespace isostack {
@@ -17,6 +18,7 @@ bool holds_contours(const std::filesystem::path& path);
 
 /// Writes contours as .vtp (closed polylines in world mm; slice pose, organ and depth as arrays) or
 /// .json (schema in docs). The file appears whole or not at all.
-void write_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path);
+void write_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path,
+                    const WriteOptions& options = {});
 
 }  // namespace isostack

@@ -113,7 +113,8 @@ std::vector<ContourStack> read_json_contours(const std::filesystem::path& path) 
   }
 }
 
-void write_json_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path) {
+void write_json_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path,
+                         const WriteOptions& /*options*/) {
   Json list = Json::array();
   for (const ContourStack& organ : organs) {
     Json slices = Json::array();

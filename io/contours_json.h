@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "io/write_options.h"
 #include "recon/geometry/contour.h"
 
 namespace isostack {
@@ -11,6 +12,7 @@ namespace isostack {
 /// and the slice or the JSON value that is wrong.
 bool is_json_contours(const std::filesystem::path& path);
 std::vector<ContourStack> read_json_contours(const std::filesystem::path& path);
-void write_json_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path);
+void write_json_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path,
+                         const WriteOptions& options = {});
 
 }  // namespace isostack

@@ -202,7 +202,8 @@ std::vector<ContourStack> read_vtp_contours(const std::filesystem::path& path) {
   return table.organs;
 }
 
-void write_vtp_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path) {
+void write_vtp_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path,
+                        const WriteOptions& /*options*/) {
   write_vtp(*to_vtk(organs), path);
 }
 

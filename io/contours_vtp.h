@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "io/write_options.h"
 #include "recon/geometry/contour.h"
 
 namespace isostack {
@@ -12,6 +13,7 @@ namespace isostack {
 /// says. Reading throws InputError naming the file and slice, for instance of an open polyline.
 bool is_vtp_contours(const std::filesystem::path& path);
 std::vector<ContourStack> read_vtp_contours(const std::filesystem::path& path);
-void write_vtp_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path);
+void write_vtp_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path,
+                        const WriteOptions& options = {});
 
 }  // namespace isostack

@@ -49,7 +49,7 @@ const std::vector<Format>& all_formats() {
        .holds_contours = is_vtp_contours,
        .write_mesh = write_vtp_mesh,
        .write_contours = write_vtp_contours},
-      {.name = "glTF", .extensions = {".gltf"}, .write_mesh = write_gltf},
+      {.name = "glTF", .extensions = {".gltf"}, .write_mesh = write_gltf, .prescribes_axes = true},
       {.name = "contour JSON",
        .extensions = {".json"},
        .read_contours = read_json_contours,

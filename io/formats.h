@@ -7,7 +7,9 @@
 
 #include "io/read_slices.h"
 #include "io/volume_header.h"
+#include "io/write_options.h"
 #include "recon/geometry/contour.h"
+#include "recon/geometry/label_map.h"
 #include "recon/geometry/triangle_mesh.h"
 #include "recon/geometry/volume.h"
 
@@ -27,9 +29,10 @@ struct Format {
   TriangleMesh (*read_mesh)(const Path&) = nullptr;
   std::vector<ContourStack> (*read_contours)(const Path&) = nullptr;
   bool (*holds_contours)(const Path&) = nullptr;  ///< goes with read_contours
-  void (*write_labels)(const LabelVolume&, const Path&) = nullptr;
+  void (*write_labels)(const LabelMap&, const Path&, const WriteOptions&) = nullptr;
   void (*write_mesh)(const TriangleMesh&, const Path&) = nullptr;
-  void (*write_contours)(const std::vector<ContourStack>&, const Path&) = nullptr;
+  bool prescribes_axes = false;  ///< of meshes: the format itself says where up is
+  void (*write_contours)(const std::vector<ContourStack>&, const Path&, const WriteOptions&) = nullptr;
 };
 
 /// Every format the library knows.

@@ -97,7 +97,10 @@ Volume<float> read_nifti(const std::filesystem::path& path) {
   return volume;
 }
 
-void write_nifti_labels(const LabelVolume& labels, const std::filesystem::path& path) {
+void write_nifti_labels(const LabelMap& map, const std::filesystem::path& path, const WriteOptions& /*options*/) {
+  if (map.layers.size() != 1)
+    throw InputError(path.string(), "NIfTI labels cannot overlap", "write .seg.nrrd or one file per organ");
+  const LabelVolume& labels = map.layers.front();
   if (labels.grid.size.minCoeff() < 1 || labels.grid.size.maxCoeff() > INT16_MAX)
     throw InputError(path.string(), "NIfTI-1 holds 1 to 32767 voxels along each axis", "choose another grid");
   AtomicFile file(path);

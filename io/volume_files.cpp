@@ -17,8 +17,8 @@ Grid read_grid(const std::filesystem::path& path, const ReadOptions& options) {
   return grid_of(read_slices(path, options));
 }
 
-void write_labels(const LabelVolume& labels, const std::filesystem::path& path) {
-  format_for(path, &Format::write_labels, "a label volume").write_labels(labels, path);
+void write_labels(const LabelMap& labels, const std::filesystem::path& path, const WriteOptions& options) {
+  format_for(path, &Format::write_labels, "a label volume").write_labels(labels, path, options);
 }
 
 }  // namespace isostack

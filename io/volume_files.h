@@ -3,7 +3,8 @@
 #include <filesystem>
 
 #include "io/read_slices.h"
-#include "recon/geometry/volume.h"
+#include "io/write_options.h"
+#include "recon/geometry/label_map.h"
 
 namespace isostack {
 
@@ -14,6 +15,6 @@ Volume<float> read_volume(const std::filesystem::path& path);
 Grid read_grid(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Writes labels as NIfTI (.nii, .nii.gz) with sform and qform. Whole file or none.
-void write_labels(const LabelVolume& labels, const std::filesystem::path& path);
+void write_labels(const LabelMap& labels, const std::filesystem::path& path, const WriteOptions& options = {});
 
 }  // namespace isostack

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "recon/geometry/color.h"
 #include "recon/geometry/slice_pose.h"
 
 namespace isostack {
@@ -29,6 +31,8 @@ struct ContourSlice {
 struct ContourStack {
   std::string name;
   std::vector<ContourSlice> slices;
+  std::optional<Color> color = std::nullopt;
+  std::string roi_type = {};  ///< DICOM RT ROI Interpreted Type such as "ORGAN"; empty: unknown
 };
 
 double signed_area_mm2(const Contour& contour);

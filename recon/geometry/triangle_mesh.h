@@ -1,8 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "recon/geometry/color.h"
 
 namespace isostack {
 
@@ -13,6 +16,7 @@ struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices_mm;
   std::vector<Eigen::Vector3i> triangles;
   std::vector<Eigen::Vector3d> normals;
+  std::optional<Color> color = std::nullopt;
 };
 
 }  // namespace isostack

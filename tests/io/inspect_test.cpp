@@ -53,7 +53,7 @@ TEST(Inspect, DamagedAndUnusableFilesAreToldNotThrown) {
 
 TEST(Inspect, VolumeMeshAndContours) {
   const TemporaryFolder folder;
-  write_labels(LabelVolume(oblique_grid()), folder / "a.nii.gz");
+  write_labels({.layers = {LabelVolume(oblique_grid())}, .segments = {}}, folder / "a.nii.gz");
   const SeriesSummary volume = inspect(folder / "a.nii.gz").front();
   EXPECT_EQ(volume.kind, "NIfTI");
   EXPECT_EQ(volume.value_type, "uint16");

@@ -10,10 +10,10 @@ namespace {
 // Poses are stored as floats: 1e-5 of some 100 mm.
 constexpr double pose_tolerance_mm = 1e-4;
 
-LabelVolume labels_on(const Grid& grid) {
+LabelMap labels_on(const Grid& grid) {
   LabelVolume labels(grid);
   labels.voxels = counted<std::uint16_t>(grid);
-  return labels;
+  return {.layers = {std::move(labels)}, .segments = {}};
 }
 
 template <class T>
