@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "cli/alignment.h"
+#include "cli/retriangulation.h"
+#include "segmentation/trace_contours.h"
 
 namespace isostack::cli {
 
@@ -46,7 +48,9 @@ nlohmann::json to_json(const ReconstructReport& report) {
            {{"mean", report.contour_residual.mean_mm},
             {"p95", report.contour_residual.percentile95_mm},
             {"largest", report.contour_residual.largest_mm}}},
+          {"sections", to_json(report.sections)},
           {"smoothing", report.smoothing},
+          {"retriangulation", to_json(report.retriangulation)},
           {"shares_faces_with", report.shares_faces_with},
           {"open_end", report.open_end},
           {"cut_by_bounds", report.cut_by_bounds},
@@ -54,6 +58,20 @@ nlohmann::json to_json(const ReconstructReport& report) {
            {{"constraints", report.constraint_seconds},
             {"solve", report.solve_seconds},
             {"surface", report.surface_seconds}}}};
+}
+
+nlohmann::json to_json(const SliceAgreement& agreement) {
+  nlohmann::json result = {{"dice", agreement.dice},
+                           {"slices", agreement.slices},
+                           {"one_sided_slices", agreement.one_sided},
+                           {"mean_distance_mm", nullptr},
+                           {"percentile95_distance_mm", nullptr},
+                           {"largest_distance_mm", nullptr}};
+  if (!agreement.has_distances) return result;
+  result["mean_distance_mm"] = agreement.mean_mm;
+  result["percentile95_distance_mm"] = agreement.percentile95_mm;
+  result["largest_distance_mm"] = agreement.largest_mm;
+  return result;
 }
 
 nlohmann::json to_json(const MeshMeasures& measures) {
@@ -72,16 +90,17 @@ nlohmann::json to_json(const MeshMeasures& measures) {
 
 nlohmann::json to_json(const ContourStack& organ) {
   std::size_t slices_with_contour = 0, contours = 0;
-  nlohmann::json areas = nlohmann::json::array();
+  nlohmann::json areas = nlohmann::json::array(), cut = nlohmann::json::array();
   for (const ContourSlice& slice : organ.slices) {
     slices_with_contour += slice.contours.empty() ? 0 : 1;
     contours += slice.contours.size();
     double area_mm2 = 0;
     for (const Contour& contour : slice.contours) area_mm2 += signed_area_mm2(contour);
     areas.push_back(area_mm2);
+    if (touches_border(slice)) cut.push_back(&slice - organ.slices.data());
   }
   return {{"name", organ.name},   {"slices", organ.slices.size()}, {"slices_with_contour", slices_with_contour},
-          {"contours", contours}, {"points", point_count(organ)},  {"area_mm2", areas}};
+          {"contours", contours}, {"points", point_count(organ)},  {"area_mm2", areas}, {"cut_by_field_of_view", cut}};
 }
 
 std::string to_text(const MeshMeasures& measures) {

@@ -11,6 +11,8 @@ namespace isostack::cli {
 
 nlohmann::json to_json(const ReconstructReport& report);
 nlohmann::json to_json(const MeshMeasures& measures);
+/// Distances are null where no slice has contours on both sides.
+nlohmann::json to_json(const SliceAgreement& agreement);
 
 /// Slices, contours, points and enclosed area of one organ.
 nlohmann::json to_json(const ContourStack& organ);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "cli/json_report.h"
 #include "recon/geometry/errors.h"
 #include "recon/metrics/leave_out.h"
 #include "viewers/line_plot.h"
@@ -18,16 +19,10 @@ struct OrganStudy {
   LeaveOutStudy study;
 };
 
-nlohmann::json to_json(const MethodAgreement& method) {
-  const SliceAgreement& a = method.agreement;
-  nlohmann::json entry = {{"method", method.method},         {"dice", a.dice},
-                          {"one_sided_slices", a.one_sided}, {"seconds", method.seconds},
-                          {"mean_distance_mm", nullptr},     {"percentile95_distance_mm", nullptr},
-                          {"largest_distance_mm", nullptr}};
-  if (!a.has_distances) return entry;
-  entry["mean_distance_mm"] = a.mean_mm;
-  entry["percentile95_distance_mm"] = a.percentile95_mm;
-  entry["largest_distance_mm"] = a.largest_mm;
+nlohmann::json entry_of(const MethodAgreement& method) {
+  nlohmann::json entry = to_json(method.agreement);
+  entry["method"] = method.method;
+  entry["seconds"] = method.seconds;
   return entry;
 }
 
@@ -37,7 +32,7 @@ nlohmann::json to_json(const OrganStudy& organ) {
                           {"kept", organ.study.kept},
                           {"dropped", organ.study.dropped},
                           {"constraints", organ.study.report.constraints}};
-  for (const MethodAgreement& method : organ.study.methods) entry["methods"].push_back(to_json(method));
+  for (const MethodAgreement& method : organ.study.methods) entry["methods"].push_back(entry_of(method));
   return entry;
 }
 
@@ -121,7 +116,7 @@ bool any_one_sided(const std::vector<OrganStudy>& studies) {
 void run_leave_out(const LeaveOutCommand& command, const InputOptions& input, Session& session) {
   if (!command.plot.empty() && command.plot.extension() != ".svg")
     throw InputError(command.plot.string(), "plots are written as SVG only", "let the name end in .svg");
-  const std::vector<ContourStack> organs = organs_from(input, session);
+  const std::vector<ContourStack> organs = drawn_organs_from(input, session);
   std::vector<OrganStudy> studies;
   for (const ContourStack& organ : organs)
     for (const int every : command.every) study_organ(organ, every, command.options, session, studies);

@@ -71,6 +71,8 @@ int main(int argc, char** argv) {
   isostack::cli::add_reconstruct(app, session);
   isostack::cli::add_measure(app, session);
   isostack::cli::add_view(app, session);
+  isostack::cli::add_convert(app, session);
+  isostack::cli::add_run(app, session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

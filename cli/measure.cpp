@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <optional>
 
 #include "cli/commands.h"
 #include "cli/input_options.h"
 #include "cli/json_report.h"
+#include "cli/label_inputs.h"
 #include "cli/leave_out.h"
 #include "io/formats.h"
 #include "io/read_mesh.h"
@@ -39,22 +39,29 @@ struct Shape {
   std::optional<LabelVolume> labels;
 };
 
-Shape read_shape(const std::filesystem::path& path, int label) {
+/// The voxels of the organs that --label asks for, all without it, as 1.
+LabelVolume read_voxels_of(const std::filesystem::path& path, const std::string& label) {
+  const LabelMap map = read_labels(path);
+  LabelVolume voxels(map.layers.front().grid);
+  for (const Segment& segment : segments_asked_for(map, label.empty() ? "all" : label, path.string()))
+    std::transform(map.layers[segment.layer].voxels.begin(), map.layers[segment.layer].voxels.end(),
+                   voxels.voxels.begin(), voxels.voxels.begin(), [&](std::uint16_t value, std::uint16_t before) {
+                     return static_cast<std::uint16_t>(value == segment.value ? 1 : before);
+                   });
+  return voxels;
+}
+
+Shape read_shape(const std::filesystem::path& path, const std::string& label) {
   Shape shape;
   if (find_format(path, &Format::read_mesh) != nullptr) {
     shape.mesh = read_mesh(path);
     shape.measures = measure(shape.mesh);
     return shape;
   }
-  const Volume<float> volume = read_volume(path);
-  shape.labels = LabelVolume(volume.grid);
-  std::transform(volume.voxels.begin(), volume.voxels.end(), shape.labels->voxels.begin(), [&](float value) {
-    return static_cast<std::uint16_t>(label == 0 ? value != 0 : value == static_cast<float>(label));
-  });
+  shape.labels = read_voxels_of(path, label);
   shape.mesh = voxel_surface(*shape.labels);
   if (shape.mesh.triangles.empty())
-    throw InputError(path.string(), label == 0 ? "every voxel is 0" : fmt::format("no voxel has label {}", label),
-                     "choose a label that is there");
+    throw InputError(path.string(), "no voxel has the label", "choose a label that is there");
   shape.measures = measure(shape.mesh);
   return shape;
 }
@@ -135,18 +142,9 @@ void compare(const Shape& a, const Shape& b, const SurfaceDistanceOptions& optio
       100 * distance.percentile95_mm / diagonal, 100 * distance.largest_mm / diagonal);
 }
 
-int label_of(const InputOptions& input) {
-  if (input.label.empty() || input.label == "all") return 0;
-  int label = 0;
-  const char* end = input.label.data() + input.label.size();
-  if (std::from_chars(input.label.data(), end, label).ptr != end || label <= 0)
-    throw InputError("--label", "'" + input.label + "' is not a label", "give a whole number above 0 or `all`");
-  return label;
-}
-
 void run_measure(const MeasureCommand& command, Session& session) {
   const std::filesystem::path& path = command.input.paths.front();
-  const int label = label_of(command.input);
+  const std::string& label = command.input.label;
   const Shape shape = read_shape(path, label);
   describe(path, shape, "shape", session);
   if (command.against.empty()) return;

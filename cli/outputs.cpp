@@ -17,10 +17,15 @@ std::vector<std::string_view> allowed_extensions(OutputPurpose purpose) {
 
 }  // namespace
 
-bool is_label_file(const std::filesystem::path& path) { return find_format(path, &Format::write_labels) != nullptr; }
+bool is_label_file(const std::filesystem::path& path) { return writes_labels(path, DicomOutput::kStructureSet); }
 
-void require_writable(const std::filesystem::path& output, OutputPurpose purpose) {
-  const bool known = is_label_file(output) || (purpose == OutputPurpose::kContoursOrLabels
+bool writes_labels(const std::filesystem::path& path, DicomOutput dicom) {
+  const Format* format = find_format(path, &Format::write_labels);
+  return format && (!format->write_contours || dicom == DicomOutput::kSegmentation);  // DICOM has both
+}
+
+void require_writable(const std::filesystem::path& output, OutputPurpose purpose, DicomOutput dicom) {
+  const bool known = writes_labels(output, dicom) || (purpose == OutputPurpose::kContoursOrLabels
                                                    ? find_format(output, &Format::write_contours) != nullptr
                                                    : find_format(output, &Format::write_mesh) != nullptr);
   if (!known) throw_unknown_extension(output, "this output", allowed_extensions(purpose));

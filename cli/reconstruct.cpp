@@ -10,7 +10,9 @@
 #include "cli/commands.h"
 #include "cli/input_options.h"
 #include "cli/json_report.h"
+#include "cli/label_outputs.h"
 #include "cli/outputs.h"
+#include "cli/retriangulation.h"
 #include "io/volume_files.h"
 #include "io/write_mesh.h"
 #include "recon/geometry/errors.h"
@@ -31,6 +33,7 @@ struct ReconstructCommand {
   std::string kernel;
   std::string solver = "auto";
   std::string caps = "round";
+  std::string axes = "lps";
   bool interpolate = false;
   double tolerance_mm = -1;  ///< negative: not given
   double memory_gb = 8;
@@ -45,7 +48,12 @@ ReconstructOptions resolved(const ReconstructCommand& command) {
                    : command.solver == "fast" ? SolverChoice::fast
                                               : SolverChoice::automatic;
   if (command.tolerance_mm >= 0) options.tolerance_mm = command.tolerance_mm;
-  if (command.interpolate) options.softening.strength = 0;
+  if (command.interpolate) {
+    options.softening.strength = 0;
+    options.sample_spacing_pixels = 0.2;
+    options.section_tolerance_pixels = 0.1;
+    options.section_rounds = 6;
+  }
   options.caps = command.caps == "flat" ? Caps::flat : command.caps == "open" ? Caps::open : Caps::round;
   options.memory_limit_bytes = static_cast<std::size_t>(command.memory_gb * 1e9);
   return options;
@@ -79,7 +87,7 @@ std::vector<Reconstruction> reconstruct_inputs(const ReconstructCommand& command
     surfaces.push_back(reconstruct_turk_obrien(images, level_of(command.input), options, session.progress()));
     return surfaces;
   }
-  const std::vector<ContourStack> organs = aligned(organs_from(command.input, session), command.alignment, session);
+  const std::vector<ContourStack> organs = aligned(drawn_organs_from(command.input, session), command.alignment, session);
   for (const ContourStack& organ : organs) session.result["organs"].push_back(to_json(organ));
   if (command.kernel == "auto") choose_kernel(organs, options, session);
   return reconstruct_all(organs, options, session.progress());
@@ -119,14 +127,19 @@ void describe(const Reconstruction& surface, Session& session) {
                   surface.report.constraints, surface.report.solve_seconds, surface.report.surface_seconds) +
       fmt::format("  residual    {:.3f} mm mean, {:.3f} mm largest, of all contour points\n",
                   surface.report.contour_residual.mean_mm, surface.report.contour_residual.largest_mm) +
-      to_text(measures) + to_text(surface.report.contradictions, least_contradiction_mm);
+      fmt::format("  sections    {:.3f} mm mean, {:.3f} mm largest from the contours of {} slices; Dice {:.4f}\n",
+                  surface.report.sections.mean_mm, surface.report.sections.largest_mm, surface.report.sections.slices,
+                  surface.report.sections.dice) +
+      to_text(measures) + to_text(surface.report.retriangulation) +
+      to_text(surface.report.contradictions, least_contradiction_mm);
 }
 
-void write_surfaces(const std::vector<Reconstruction>& surfaces, const std::filesystem::path& output,
-                    Session& session) {
+void write_surfaces(const std::vector<Reconstruction>& surfaces, const ReconstructCommand& command,
+                    const std::filesystem::path& output, Session& session) {
+  const WriteOptions options{.axes = command.axes == "ras" ? MeshAxes::ras : MeshAxes::lps};
   for (const Reconstruction& surface : surfaces) {
     const std::filesystem::path path = surfaces.size() == 1 ? output : with_suffix(output, surface.surface.name);
-    write_mesh(surface.surface, path);
+    write_mesh(surface.surface, path, options);
     session.result["outputs"].push_back(path.string());
     session.text += "wrote " + path.string() + "\n";
   }
@@ -135,13 +148,15 @@ void write_surfaces(const std::vector<Reconstruction>& surfaces, const std::file
 void write_label_grid(const std::vector<Reconstruction>& surfaces, const ReconstructCommand& command,
                       const std::filesystem::path& output, Session& session) {
   const std::filesystem::path reference = command.grid.empty() ? command.input.paths.front() : command.grid;
-  LabelMap labels{.layers = {LabelVolume(read_grid(reference, command.input.read_options()))}, .segments = {}};
+  LabelVolume mask(read_grid(reference, command.input.read_options()));
+  LabelMap labels{.layers = {mask}, .segments = {}};
   for (const Reconstruction& surface : surfaces) {
+    std::fill(mask.voxels.begin(), mask.voxels.end(), std::uint16_t{0});
+    voxelize(surface.surface, 1, mask);
     const auto value = static_cast<std::uint16_t>(labels.segments.size() + 1);
-    voxelize(surface.surface, value, labels.layers.front());
-    labels.segments.push_back({.name = surface.surface.name, .value = value, .color = surface.surface.color});
+    add_segment(labels, mask, {.name = surface.surface.name, .value = value, .color = surface.surface.color});
   }
-  write_labels(labels, output);
+  write_organ_labels(labels, output, {}, session);
   session.result["outputs"].push_back(output.string());
   session.text += "wrote " + output.string() + "\n";
 }
@@ -158,7 +173,7 @@ void run_reconstruct(const ReconstructCommand& command, Session& session) {
     if (is_label_file(output))
       write_label_grid(surfaces, command, output, session);
     else
-      write_surfaces(surfaces, output, session);
+      write_surfaces(surfaces, command, output, session);
   }
 }
 
@@ -205,6 +220,8 @@ void add_surface_options(CLI::App& command, ReconstructCommand& options) {
       .add_option("--thin", options.options.thin_mm,
                   "As few constraints as bring all contour points within this distance of the surface, mm")
       ->check(CLI::PositiveNumber);
+  command.add_option("--axes", options.axes, "World axes of the surface: lps (default) or ras; glTF has its own")
+      ->check(CLI::IsMember({"lps", "ras"}));
   command.add_flag("--allow-overlap", options.options.allow_overlap,
                    "Leave each organ's surface as it is by itself, even where two overlap");
 }
@@ -228,9 +245,10 @@ void add_reconstruct(CLI::App& app, Session& session) {
   add_solver_options(*command, *options);
   add_alignment_options(*command, options->alignment);
   add_surface_options(*command, *options);
+  add_retriangulation_options(*command, options->options.retriangulation);
   command
       ->add_option("-o,--output", options->outputs,
-                   "Surface (.stl, .ply, .obj, .vtp, .gltf) or labels (.nii, .nii.gz); may be repeated")
+                   "Surface (.stl, .ply, .obj, .vtp, .gltf, .glb) or labels (.nii, .nii.gz, .nrrd, .mha); may be repeated")
       ->required()
       ->type_name("OUT");
   command->add_option("--grid", options->grid, "Volume whose grid label output uses (default: the input's)")

@@ -26,8 +26,10 @@ Scene read_scene(const ViewCommand& command, Session& session) {
   scene.title = command.title;
   for (const std::filesystem::path& path : command.paths) {
     // .vtp holds surfaces or contours; a surface is what most programs write.
-    if (find_format(path, &Format::read_contours) != nullptr && holds_contours(path)) {
-      for (ContourStack& organ : read_contours(path)) scene.contours.push_back(std::move(organ));
+    if (std::filesystem::is_regular_file(path) && holds_contours(path)) {
+      ContourFile file = read_contour_file(path);
+      for (const std::string& warning : file.warnings) session.note(warning);
+      std::move(file.organs.begin(), file.organs.end(), std::back_inserter(scene.contours));
     } else if (find_format(path, &Format::read_mesh) != nullptr) {
       scene.surfaces.push_back(read_mesh(path));
     } else {

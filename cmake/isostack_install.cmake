@@ -9,6 +9,8 @@ foreach(room recon io segmentation viewers)
           FILES_MATCHING PATTERN "*.h")
 endforeach()
 
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/segmentation/recipes DESTINATION ${CMAKE_INSTALL_DATADIR}/isostack)
+
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/isostack)
 install(EXPORT isostack_targets NAMESPACE isostack:: FILE isostack-targets.cmake DESTINATION ${config_dir})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/isostack-config.cmake.in

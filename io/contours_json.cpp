@@ -72,6 +72,14 @@ ContourSlice slice_from(const Json& json, const std::string& file) {
   return slice;
 }
 
+Color color_from(const Json& json) {
+  const auto channels = vector_from<Eigen::Vector3i>(json);
+  if (channels.minCoeff() < 0 || channels.maxCoeff() > 255)
+    throw Json::other_error::create(501, "a colour has three values from 0 to 255", &json);
+  const auto channel = [&](int i) { return static_cast<std::uint8_t>(channels[i]); };
+  return {channel(0), channel(1), channel(2)};
+}
+
 std::vector<ContourStack> organs_from(const Json& document, const std::string& file) {
   if (document.value("format", "") != format_name || document.value("version", 0) != format_version)
     throw InputError(file, fmt::format("it is not \"format\": \"{}\", \"version\": {}", format_name, format_version),
@@ -80,6 +88,8 @@ std::vector<ContourStack> organs_from(const Json& document, const std::string& f
   for (const Json& organ : document.at("organs")) {
     ContourStack& stack = organs.emplace_back();
     stack.name = organ.at("name").get<std::string>();
+    if (organ.contains("color")) stack.color = color_from(organ["color"]);
+    stack.roi_type = organ.value("roi_type", "");
     for (const Json& slice : organ.at("slices")) stack.slices.push_back(slice_from(slice, file));
   }
   return organs;
@@ -100,13 +110,13 @@ bool is_json_contours(const std::filesystem::path& path) {
   return document.is_object() && document.contains("format") && document["format"] == format_name;
 }
 
-std::vector<ContourStack> read_json_contours(const std::filesystem::path& path) {
+ContourFile read_json_contours(const std::filesystem::path& path, const ReadOptions& /*options*/) {
   std::ifstream stream(path);
   try {
     const Json document = Json::parse(stream);
     if (!document.is_object())
       throw InputError(path.string(), "it is not a JSON object", "see docs/formats.md for what contours look like");
-    return organs_from(document, path.string());
+    return {.organs = organs_from(document, path.string())};
   } catch (const Json::exception& error) {
     throw InputError(path.string(), "it does not hold contours as expected (" + essence_of(error) + ")",
                      "see docs/formats.md for what contours look like");
@@ -119,7 +129,9 @@ void write_json_contours(const std::vector<ContourStack>& organs, const std::fil
   for (const ContourStack& organ : organs) {
     Json slices = Json::array();
     for (const ContourSlice& slice : organ.slices) slices.push_back(to_json(slice));
-    list.push_back({{"name", organ.name}, {"slices", std::move(slices)}});
+    Json& entry = list.emplace_back(Json{{"name", organ.name}, {"slices", std::move(slices)}});
+    if (organ.color) entry["color"] = {organ.color->red, organ.color->green, organ.color->blue};
+    if (!organ.roi_type.empty()) entry["roi_type"] = organ.roi_type;
   }
   const Json document = {{"format", format_name}, {"version", format_version}, {"organs", std::move(list)}};
   write_whole_file(path, document.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -13,6 +13,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 
+#include <algorithm>
 #include <initializer_list>
 
 #include "io/contour_checks.h"
@@ -37,6 +38,8 @@ class SliceTable {
  public:
   explicit SliceTable(vtkFieldData& field)
       : organ_names_(new_array<vtkStringArray>(field, "organ_name")),
+        roi_types_(new_array<vtkStringArray>(field, "organ_roi_type")),
+        colors_(new_array<vtkIntArray>(field, "organ_color", 4)),
         names_(new_array<vtkStringArray>(field, "slice_name")),
         organs_(new_array<vtkIntArray>(field, "slice_organ")),
         origins_(new_array<vtkDoubleArray>(field, "slice_origin_mm", 3)),
@@ -45,7 +48,12 @@ class SliceTable {
         spacings_(new_array<vtkDoubleArray>(field, "slice_spacing_mm", 2)),
         sizes_(new_array<vtkIntArray>(field, "slice_size_pixels", 2)) {}
 
-  void add_organ(const std::string& name) { organ_names_->InsertNextValue(name); }
+  void add_organ(const ContourStack& organ) {
+    organ_names_->InsertNextValue(organ.name);
+    roi_types_->InsertNextValue(organ.roi_type);
+    const Color color = organ.color.value_or(Color{});
+    colors_->InsertNextTuple4(color.red, color.green, color.blue, organ.color ? 1 : 0);
+  }
   void add_slice(int organ, const ContourSlice& slice) {
     names_->InsertNextValue(slice.name);
     organs_->InsertNextValue(organ);
@@ -57,7 +65,9 @@ class SliceTable {
   }
 
  private:
-  vtkSmartPointer<vtkStringArray> organ_names_, names_;
+  vtkSmartPointer<vtkStringArray> organ_names_, roi_types_;
+  vtkSmartPointer<vtkIntArray> colors_;
+  vtkSmartPointer<vtkStringArray> names_;
   vtkSmartPointer<vtkIntArray> organs_;
   vtkSmartPointer<vtkDoubleArray> origins_, x_axes_, y_axes_, spacings_;
   vtkSmartPointer<vtkIntArray> sizes_;
@@ -85,7 +95,7 @@ vtkSmartPointer<vtkPolyData> to_vtk(const std::vector<ContourStack>& organs) {
   const auto depth_of = new_array<vtkIntArray>(*data->GetCellData(), "depth");
   int slice_row = 0;
   for (std::size_t organ = 0; organ < organs.size(); ++organ) {
-    table.add_organ(organs[organ].name);
+    table.add_organ(organs[organ]);
     for (const ContourSlice& slice : organs[organ].slices) {
       table.add_slice(static_cast<int>(organ), slice);
       for (const Contour& contour : slice.contours) {
@@ -128,6 +138,22 @@ struct ReadTable {
   ContourSlice& slice(std::size_t row) { return organs[place_of_row[row].first].slices[place_of_row[row].second]; }
 };
 
+/// Colours and ROI types, which files need not have.
+void read_looks(vtkFieldData& field, std::vector<ContourStack>& organs, const std::string& file) {
+  const auto count = static_cast<vtkIdType>(organs.size());
+  auto* types = vtkStringArray::SafeDownCast(field.GetAbstractArray("organ_roi_type"));
+  vtkDataArray* colors = field.GetArray("organ_color") ? &numbers(field, "organ_color", 4, count, file) : nullptr;
+  for (vtkIdType i = 0; i < count; ++i) {
+    ContourStack& organ = organs[static_cast<std::size_t>(i)];
+    if (types && types->GetNumberOfValues() == count) organ.roi_type = types->GetValue(i);
+    if (!colors || colors->GetComponent(i, 3) == 0) continue;
+    const auto channel = [&](int c) {
+      return static_cast<std::uint8_t>(std::clamp(colors->GetComponent(i, c), 0.0, 255.0));
+    };
+    organ.color = Color{channel(0), channel(1), channel(2)};
+  }
+}
+
 ReadTable read_table(vtkFieldData& field, const std::string& file) {
   ReadTable table;
   vtkStringArray& organ_names = strings(field, "organ_name", file);
@@ -140,6 +166,7 @@ ReadTable read_table(vtkFieldData& field, const std::string& file) {
   vtkDataArray& spacings = numbers(field, "slice_spacing_mm", 2, rows, file);
   vtkDataArray& sizes = numbers(field, "slice_size_pixels", 2, rows, file);
   for (vtkIdType i = 0; i < organ_names.GetNumberOfValues(); ++i) table.organs.push_back({organ_names.GetValue(i), {}});
+  read_looks(field, table.organs, file);
   for (vtkIdType row = 0; row < rows; ++row) {
     const auto organ = static_cast<std::size_t>(organs.GetComponent(row, 0));
     if (organ >= table.organs.size()) throw_no_table(file, "a slice belongs to an unknown organ");
@@ -192,14 +219,14 @@ bool is_vtp_contours(const std::filesystem::path& path) {
   return read_vtp(path)->GetFieldData()->GetAbstractArray("slice_name") != nullptr;
 }
 
-std::vector<ContourStack> read_vtp_contours(const std::filesystem::path& path) {
+ContourFile read_vtp_contours(const std::filesystem::path& path, const ReadOptions& /*options*/) {
   const vtkSmartPointer<vtkPolyData> read = read_vtp(path);
   vtkPolyData& data = *read;
   ReadTable table = read_table(*data.GetFieldData(), path.string());
   if (data.GetNumberOfLines() > 0) read_polylines(data, table, path.string());
   for (ContourStack& organ : table.organs)
     for (ContourSlice& slice : organ.slices) complete_slice(slice, path.string());
-  return table.organs;
+  return {.organs = std::move(table.organs)};
 }
 
 void write_vtp_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path,

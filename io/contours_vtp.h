@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "io/contour_file.h"
+#include "io/read_slices.h"
 #include "io/write_options.h"
 #include "recon/geometry/contour.h"
 
@@ -12,7 +14,7 @@ namespace isostack {
 /// table of organs and slices (also of slices without contours) in the field data, as docs/formats.md
 /// says. Reading throws InputError naming the file and slice, for instance of an open polyline.
 bool is_vtp_contours(const std::filesystem::path& path);
-std::vector<ContourStack> read_vtp_contours(const std::filesystem::path& path);
+ContourFile read_vtp_contours(const std::filesystem::path& path, const ReadOptions& options = {});
 void write_vtp_contours(const std::vector<ContourStack>& organs, const std::filesystem::path& path,
                         const WriteOptions& options = {});
 

@@ -1,16 +1,17 @@
 #include "io/dicom_header.h"
 
+#include <fmt/format.h>
 #include <gdcmMediaStorage.h>
 #include <gdcmReader.h>
 #include <gdcmUIDs.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <fstream>
-#include <locale>
-#include <sstream>
 #include <tuple>
-#include <vector>
 
+#include "io/dicom_frames.h"
 #include "io/dicom_structure.h"
 #include "io/gdcm_setup.h"
 #include "recon/geometry/errors.h"
@@ -19,52 +20,12 @@ namespace isostack {
 
 namespace {
 
-const gdcm::ByteValue* value_of(const gdcm::DataSet& data, const gdcm::Tag& tag) {
-  return data.FindDataElement(tag) ? data.GetDataElement(tag).GetByteValue() : nullptr;
-}
-
-std::string text(const gdcm::DataSet& data, const gdcm::Tag& tag) {
-  const gdcm::ByteValue* value = value_of(data, tag);
-  if (!value) return {};
-  std::string result(value->GetPointer(), value->GetLength());
-  while (!result.empty() && (result.back() == ' ' || result.back() == '\0')) result.pop_back();
-  while (!result.empty() && result.front() == ' ') result.erase(result.begin());
-  return result;
-}
-
-/// Decimal strings, separated by backslashes; empty when any of them is not a number.
-std::vector<double> numbers(const gdcm::DataSet& data, const gdcm::Tag& tag) {
-  std::vector<double> result;
-  std::istringstream parts(text(data, tag));
-  parts.imbue(std::locale::classic());
-  for (std::string part; std::getline(parts, part, '\\');) {
-    std::istringstream stream(part);
-    stream.imbue(std::locale::classic());
-    double number = 0;
-    if (!(stream >> number)) return {};
-    result.push_back(number);
-  }
-  return result;
-}
-
-std::optional<double> number(const gdcm::DataSet& data, const gdcm::Tag& tag) {
-  const std::vector<double> all = numbers(data, tag);
-  return all.empty() ? std::nullopt : std::optional(all.front());
-}
-
-/// GDCM has already swapped binary numbers to the machine's byte order.
-int unsigned_short(const gdcm::DataSet& data, const gdcm::Tag& tag, int otherwise) {
-  const gdcm::ByteValue* value = value_of(data, tag);
-  std::uint16_t result = 0;
-  if (!value || value->GetLength() < sizeof(result)) return otherwise;
-  std::memcpy(&result, value->GetPointer(), sizeof(result));
-  return result;
-}
-
 DicomKind kind_of(const gdcm::File& file) {
   gdcm::MediaStorage storage;
   storage.SetFromFile(file);
-  if (storage == gdcm::MediaStorage::SegmentationStorage) return DicomKind::kSegmentation;
+  // GDCM does not know the storage of label maps.
+  const bool is_label_map = dicom_text(file.GetDataSet(), 0x00080016) == "1.2.840.10008.5.1.4.1.1.66.7";
+  if (is_label_map || storage == gdcm::MediaStorage::SegmentationStorage) return DicomKind::kSegmentation;
   if (storage == gdcm::MediaStorage::RTStructureSetStorage) return DicomKind::kStructureSet;
   return gdcm::MediaStorage::IsImage(storage) ? DicomKind::kImage : DicomKind::kOther;
 }
@@ -75,31 +36,78 @@ std::string transfer_syntax_name(const gdcm::File& file) {
   return uid && uids.SetFromUID(uid) && uids.GetName() ? uids.GetName() : "unknown transfer syntax";
 }
 
-void read_geometry(const gdcm::DataSet& data, DicomHeader& header) {
-  if (const auto p = numbers(data, {0x0020, 0x0032}); p.size() == 3) header.position_mm = {p[0], p[1], p[2]};
-  if (const auto o = numbers(data, {0x0020, 0x0037}); o.size() == 6)
-    header.row_and_column = {{o[0], o[1], o[2]}, {o[3], o[4], o[5]}};
-  // DICOM gives the distance between rows (along y) first.
-  if (const auto s = numbers(data, {0x0028, 0x0030}); s.size() == 2) header.spacing_mm = {s[1], s[0]};
-  header.slice_thickness_mm = number(data, {0x0018, 0x0050});
-  header.spacing_between_slices_mm = number(data, {0x0018, 0x0088});
+int unsigned_short(const gdcm::DataSet& data, DicomTag tag, int otherwise) {
+  return static_cast<int>(dicom_uint16(data, tag).value_or(otherwise));
+}
+
+/// A frame takes a bit at least, so the file bounds what it may claim.
+int claimed_frames(const gdcm::DataSet& data, const DicomHeader& header) {
+  const double frames = dicom_number(data, 0x00280008).value_or(1);
+  std::error_code ignored;
+  const auto bytes = static_cast<double>(std::filesystem::file_size(header.path, ignored));
+  if (frames > 8 * bytes || frames < 0)
+    throw InputError(header.name, fmt::format("it claims {:.0f} frames, more than a file of its size can hold", frames),
+                     "the file is cut off or damaged; copy it again or take it out");
+  return std::max(1, static_cast<int>(frames));
 }
 
 void read_pixel_format(const gdcm::DataSet& data, DicomHeader& header) {
-  header.photometric = text(data, {0x0028, 0x0004});
-  header.samples_per_pixel = unsigned_short(data, {0x0028, 0x0002}, 1);
-  header.rows = unsigned_short(data, {0x0028, 0x0010}, 0);
-  header.columns = unsigned_short(data, {0x0028, 0x0011}, 0);
-  header.frames = static_cast<int>(number(data, {0x0028, 0x0008}).value_or(1));
-  header.bits_allocated = unsigned_short(data, {0x0028, 0x0100}, 0);
-  header.bits_stored = unsigned_short(data, {0x0028, 0x0101}, header.bits_allocated);
-  header.is_signed = unsigned_short(data, {0x0028, 0x0103}, 0) == 1;
-  header.slope = number(data, {0x0028, 0x1053}).value_or(1);
-  header.intercept = number(data, {0x0028, 0x1052}).value_or(0);
+  header.photometric = dicom_text(data, 0x00280004);
+  header.samples_per_pixel = unsigned_short(data, 0x00280002, 1);
+  header.rows = unsigned_short(data, 0x00280010, 0);
+  header.columns = unsigned_short(data, 0x00280011, 0);
+  header.frames = claimed_frames(data, header);
+  header.bits_allocated = unsigned_short(data, 0x00280100, 0);
+  header.bits_stored = unsigned_short(data, 0x00280101, header.bits_allocated);
+  header.high_bit = unsigned_short(data, 0x00280102, header.bits_stored - 1);
+  header.is_signed = unsigned_short(data, 0x00280103, 0) == 1;
+}
+
+void read_identity(const gdcm::DataSet& data, DicomHeader& header) {
+  header.series_uid = dicom_text(data, 0x0020000e);
+  header.instance_uid = dicom_text(data, 0x00080018);
+  header.frame_of_reference_uid = dicom_text(data, 0x00200052);
+  header.modality = dicom_text(data, 0x00080060);
+  const bool is_scout = dicom_text(data, 0x00080008).find("LOCALIZER") != std::string::npos;
+  header.is_localizer = is_scout && header.modality == "CT";  // MR scouts are slices like others
+  header.was_compressed_lossy = dicom_text(data, 0x00282110) == "01";
+}
+
+/// Reads how pixels lie in the file.
+void read_encoding(const gdcm::File& file, const DicomStructure& structure, DicomHeader& header) {
+  const gdcm::TransferSyntax& syntax = file.GetHeader().GetDataSetTransferSyntax();
+  header.transfer_syntax = transfer_syntax_name(file);
+  header.is_compressed = syntax.IsEncapsulated();
+  if (syntax == gdcm::TransferSyntax::ExplicitVRBigEndian)  // pixels of 8 bits may lie in words
+    header.swapped_bytes = header.bits_allocated > 8 ? header.bits_allocated / 8 : structure.pixels_are_words ? 2 : 0;
+  header.was_compressed_lossy = header.was_compressed_lossy || (syntax.IsLossy() && !syntax.IsLossless());
+  header.pixel_offset = structure.pixel_offset;
+  header.pixel_bytes = structure.pixel_bytes;
 }
 
 [[noreturn]] void throw_truncated(const DicomHeader& header) {
   throw InputError(header.name, "the DICOM file is cut off or damaged", "copy the file again or take it out");
+}
+
+[[noreturn]] void throw_without_image(const DicomHeader& header) {
+  throw InputError(header.name, "the DICOM file holds no image (it lacks pixels, rows or columns)",
+                   "take it out, or copy it again if it should hold one");
+}
+
+/// Sizes that the file cannot hold are refused before anything of that size is allocated.
+void require_plausible_size(const DicomHeader& header) {
+  constexpr double strongest_compression = 20000;  // an empty picture in JPEG 2000
+  std::error_code ignored;
+  const double most_bytes =
+      header.pixel_offset != 0
+          ? static_cast<double>(header.pixel_bytes)
+          : strongest_compression * static_cast<double>(std::filesystem::file_size(header.path, ignored));
+  const double bits = 1.0 * header.rows * header.columns * header.frames * std::max(1, header.bits_allocated);
+  if (bits <= 8 * most_bytes) return;
+  throw InputError(header.name,
+                   fmt::format("it claims {} frame(s) of {} x {} pixels of {} bits, more than its pixel data hold",
+                               header.frames, header.columns, header.rows, header.bits_allocated),
+                   "the file is cut off or damaged; copy it again or take it out");
 }
 
 [[noreturn]] void throw_missing(const DicomHeader& header, const std::string& what) {
@@ -115,11 +123,21 @@ bool has_dicom_magic(const std::filesystem::path& path) {
   return stream.read(bytes, 4) && std::memcmp(bytes, "DICM", 4) == 0;
 }
 
+bool is_called_dicom(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return extension == ".dcm" || extension == ".ima";
+}
+
 DicomHeader read_dicom_header(const std::filesystem::path& path) {
   set_up_gdcm();
   DicomHeader header;
   header.path = path;
   header.name = path.filename().string();
+  if (!has_dicom_magic(path))
+    throw InputError(header.name, "it is not a DICOM file (\"DICM\" does not stand at byte 128)",
+                     "give DICOM files with their meta header; gdcmconv adds a missing one");
   const DicomStructure structure = walk_dicom(path);
   if (!structure.is_whole) throw_truncated(header);
   gdcm::Reader reader;
@@ -130,13 +148,15 @@ DicomHeader read_dicom_header(const std::filesystem::path& path) {
   const gdcm::File& file = reader.GetFile();
   const gdcm::DataSet& data = file.GetDataSet();
   header.kind = kind_of(file);
-  header.series_uid = text(data, {0x0020, 0x000e});
-  header.modality = text(data, {0x0008, 0x0060});
-  header.transfer_syntax = transfer_syntax_name(file);
+  read_identity(data, header);
   read_pixel_format(data, header);
-  read_geometry(data, header);
-  const bool lacks_image = !structure.has_pixels || header.rows == 0 || header.columns == 0;
-  if (header.kind == DicomKind::kImage && lacks_image) throw_truncated(header);
+  read_encoding(file, structure, header);
+  read_frame_part(data, header);
+  if (header.kind != DicomKind::kImage) return header;
+  if (!structure.has_pixels || header.rows == 0 || header.columns == 0) throw_without_image(header);
+  require_plausible_size(header);
+  if (header.modality == "RTDOSE") header.slope = dicom_number(data, 0x3004000e).value_or(header.slope);
+  header.frame_parts = read_frame_parts(data, header);
   return header;
 }
 

@@ -1,113 +1,112 @@
 #include "io/dicom_pixels.h"
 
 #include <fmt/format.h>
-#include <gdcmImage.h>
-#include <gdcmReader.h>
+#include <tbb/parallel_for.h>
 
-#include <vector>
+#include <algorithm>
+#include <fstream>
 
+#include "io/child_processes.h"
+#include "io/dicom_decoder.h"
 #include "io/gdcm_setup.h"
+#include "io/stored_pixels.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack {
 
 namespace {
 
-const gdcm::Tag pixel_data(0x7fe0, 0x0010);
-
 [[noreturn]] void throw_undecodable(const DicomHeader& header) {
   throw InputError(header.name, fmt::format("its pixels cannot be decoded ({})", header.transfer_syntax),
                    "the file is cut off, damaged or of an unsupported compression; copy it again or decompress it");
 }
 
-template <class Stored>
-Image<float> rescaled(const std::vector<char>& bytes, const DicomHeader& header) {
-  using Raster = Image<Stored>;
-  const Eigen::Map<const Raster> stored(reinterpret_cast<const Stored*>(bytes.data()), header.rows, header.columns);
-  return (stored.template cast<double>() * header.slope + header.intercept).template cast<float>();
-}
-
-Image<float> rescaled(const std::vector<char>& bytes, gdcm::PixelFormat::ScalarType type, const DicomHeader& header) {
-  switch (type) {
-    case gdcm::PixelFormat::UINT8:
-      return rescaled<std::uint8_t>(bytes, header);
-    case gdcm::PixelFormat::INT8:
-      return rescaled<std::int8_t>(bytes, header);
-    case gdcm::PixelFormat::UINT16:
-      return rescaled<std::uint16_t>(bytes, header);
-    case gdcm::PixelFormat::INT16:
-      return rescaled<std::int16_t>(bytes, header);
-    case gdcm::PixelFormat::UINT32:
-      return rescaled<std::uint32_t>(bytes, header);
-    case gdcm::PixelFormat::INT32:
-      return rescaled<std::int32_t>(bytes, header);
-    default:
-      throw InputError(header.name, fmt::format("pixels of {} bits are not supported", header.bits_allocated),
-                       "convert the file to 8, 16 or 32 bits");
-  }
-}
-
 void require_sensible_bits(const DicomHeader& header) {
-  // GDCM leaves the bytes of 32-bit pixels in the order of the file.
-  const bool is_big_endian = header.transfer_syntax.find("Big Endian") != std::string::npos;
-  const bool whole_bytes =
-      header.bits_allocated == 8 || header.bits_allocated == 16 || (header.bits_allocated == 32 && !is_big_endian);
-  if (!whole_bytes || header.bits_stored < 1 || header.bits_stored > header.bits_allocated)
+  const bool whole_bytes = header.bits_allocated == 8 || header.bits_allocated == 16 || header.bits_allocated == 32;
+  const bool fit =
+      header.bits_stored >= 1 && header.high_bit < header.bits_allocated && header.high_bit + 1 >= header.bits_stored;
+  if (!whole_bytes || !fit)
     throw InputError(
         header.name,
         fmt::format("pixels of {} in {} bits are not supported", header.bits_stored, header.bits_allocated),
         "convert the file to 8, 16 or 32 bits");
 }
 
-/// The image from the few elements that matter: GDCM's image reader ends the program on others
-/// that are empty or inconsistent.
-void describe_image(const gdcm::File& file, const DicomHeader& header, gdcm::Image& image) {
-  image.SetNumberOfDimensions(2);
-  image.SetDimension(0, static_cast<unsigned>(header.columns));
-  image.SetDimension(1, static_cast<unsigned>(header.rows));
-  const auto bits = static_cast<unsigned short>(header.bits_stored);
-  image.SetPixelFormat(gdcm::PixelFormat(1, static_cast<unsigned short>(header.bits_allocated), bits,
-                                         static_cast<unsigned short>(bits - 1), header.is_signed ? 1 : 0));
-  image.SetPhotometricInterpretation(header.photometric == "MONOCHROME1"
-                                         ? gdcm::PhotometricInterpretation::MONOCHROME1
-                                         : gdcm::PhotometricInterpretation::MONOCHROME2);
-  image.SetTransferSyntax(file.GetHeader().GetDataSetTransferSyntax());
-  image.SetDataElement(file.GetDataSet().GetDataElement(pixel_data));
+std::size_t pixel_count(const DicomHeader& header) {
+  return static_cast<std::size_t>(header.rows) * static_cast<std::size_t>(header.columns);
+}
+
+void turn_round(std::vector<char>& bytes, std::size_t group) {
+  for (std::size_t i = 0; i + group <= bytes.size(); i += group)
+    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i),
+                 bytes.begin() + static_cast<std::ptrdiff_t>(i + group));
+}
+
+/// Uncompressed pixels, straight from their place in the file.
+Image<float> read_plain(const DicomHeader& header) {
+  const std::size_t frame_bytes = pixel_count(header) * static_cast<std::size_t>(header.bits_allocated / 8);
+  const std::uintmax_t begin = frame_bytes * static_cast<std::uintmax_t>(header.frame);
+  if (begin + frame_bytes > header.pixel_bytes) throw_undecodable(header);
+  std::vector<char> bytes(frame_bytes);
+  std::ifstream stream(header.path, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(header.pixel_offset + begin));
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) throw_undecodable(header);
+  if (header.swapped_bytes > 0) turn_round(bytes, static_cast<std::size_t>(header.swapped_bytes));
+  Image<float> pixels(header.rows, header.columns);
+  rescale_stored(bytes.data(), header, pixels.data());
+  return pixels;
+}
+
+/// Pictures [begin, end) that GDCM must decode.
+void decode_with_gdcm(const std::vector<DicomHeader>& headers, const std::vector<std::size_t>& which,
+                      std::vector<Image<float>>& images) {
+  set_up_gdcm();
+  std::vector<std::size_t> result_bytes;
+  for (const std::size_t i : which) result_bytes.push_back(pixel_count(headers[i]) * sizeof(float));
+  DicomDecoder decoder;  // each child has its copy
+  const auto results = run_in_children(result_bytes, [&](std::size_t task, char* result) {
+    return decoder.decode(headers[which[task]], reinterpret_cast<float*>(result));
+  });
+  for (std::size_t task = 0; task < which.size(); ++task) {
+    const DicomHeader& header = headers[which[task]];
+    if (results[task].empty()) throw_undecodable(header);
+    const auto* values = reinterpret_cast<const float*>(results[task].data());
+    images[which[task]] = Eigen::Map<const Image<float>>(values, header.rows, header.columns);
+  }
+}
+
+/// The end of a batch that begins there: as many pictures as take some 64 MB, for the sake of progress and memory.
+std::size_t batch_end(const std::vector<DicomHeader>& headers, std::size_t begin) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 26;
+  std::size_t bytes = 0, end = begin;
+  while (end < headers.size() && (end == begin || bytes < most_bytes))
+    bytes += pixel_count(headers[end++]) * sizeof(float);
+  return end;
 }
 
 }  // namespace
 
-void require_grey_single_frame(const DicomHeader& header) {
+void require_grey(const DicomHeader& header) {
   if (header.samples_per_pixel != 1 || header.photometric == "PALETTE COLOR")
     throw InputError(header.name, fmt::format("the image is coloured ({})", header.photometric),
                      "give grey images; colour is not a measurement");
-  if (header.frames != 1)
-    throw InputError(header.name, fmt::format("the file holds {} frames", header.frames),
-                     "multi-frame DICOM is not supported; convert it to one file per slice or to NIfTI");
+  require_sensible_bits(header);
 }
 
-Image<float> read_dicom_pixels(const DicomHeader& header) {
-  require_grey_single_frame(header);
-  set_up_gdcm();
-  require_sensible_bits(header);
-  const auto pixel_count = static_cast<std::size_t>(header.rows) * static_cast<std::size_t>(header.columns);
-  gdcm::Reader reader;
-  reader.SetFileName(header.path.c_str());
-  // Whatever follows the pixels need not be sound.
-  if (!reader.ReadSelectedTags({pixel_data}) || !reader.GetFile().GetDataSet().FindDataElement(pixel_data))
-    throw_undecodable(header);
-  const gdcm::ByteValue* plain = reader.GetFile().GetDataSet().GetDataElement(pixel_data).GetByteValue();
-  if (plain && plain->GetLength() < pixel_count * static_cast<std::size_t>(header.bits_allocated / 8))
-    throw_undecodable(header);  // GDCM would leave the rest of the image undefined
-  gdcm::Image image;
-  describe_image(reader.GetFile(), header, image);
-  // Decompressing may find another sign or depth than the header, never another size.
-  if (image.GetBufferLength() < pixel_count) throw_undecodable(header);
-  std::vector<char> bytes(image.GetBufferLength());
-  if (!image.GetBuffer(bytes.data())) throw_undecodable(header);
-  const gdcm::PixelFormat format = image.GetPixelFormat();
-  if (bytes.size() != pixel_count * format.GetPixelSize()) throw_undecodable(header);
-  return rescaled(bytes, format.GetScalarType(), header);
+std::vector<Image<float>> read_dicom_pixels(const std::vector<DicomHeader>& headers, const Progress& progress) {
+  for (const DicomHeader& header : headers) require_grey(header);
+  std::vector<Image<float>> images(headers.size());
+  for (std::size_t begin = 0, end = 0; begin < headers.size(); begin = end) {
+    progress.report("pixels", static_cast<double>(begin) / static_cast<double>(headers.size()));
+    end = batch_end(headers, begin);
+    std::vector<std::size_t> plain, encoded;
+    for (std::size_t i = begin; i < end; ++i) (headers[i].pixel_offset != 0 ? plain : encoded).push_back(i);
+    tbb::parallel_for(std::size_t{0}, plain.size(),
+                      [&](std::size_t i) { images[plain[i]] = read_plain(headers[plain[i]]); });
+    if (!encoded.empty()) decode_with_gdcm(headers, encoded, images);
+  }
+  progress.report("pixels", 1);
+  return images;
 }
 
 }  // namespace isostack

@@ -1,15 +1,20 @@
 #pragma once
 
+#include <vector>
+
 #include "io/dicom_header.h"
+#include "recon/geometry/progress.h"
 #include "recon/geometry/slice.h"
 
 namespace isostack {
 
-/// Throws InputError naming the file when it is coloured or has several frames.
-void require_grey_single_frame(const DicomHeader& header);
+/// Throws InputError naming the file when it is coloured or has pixels of an unsupported kind.
+void require_grey(const DicomHeader& header);
 
-/// Decodes the pixels of one single-frame grey image; the rescale of the header is applied.
-/// Throws InputError naming the file when they are coloured, multi-frame, cut off or damaged.
-Image<float> read_dicom_pixels(const DicomHeader& header);
+/// Reads the pixels of grey pictures, one per header (one frame each, see frames_of); the headers'
+/// rescale is applied. Uncompressed pixels are read by all threads, others decoded by GDCM in child
+/// processes, so that a picture which GDCM cannot bear is refused like any other.
+/// Throws InputError naming the file when they are coloured, cut off or damaged.
+std::vector<Image<float>> read_dicom_pixels(const std::vector<DicomHeader>& headers, const Progress& progress = {});
 
 }  // namespace isostack

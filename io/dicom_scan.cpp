@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <map>
 
@@ -19,9 +21,16 @@ struct HeaderOrError {
   std::string error;
 };
 
-HeaderOrError read_if_dicom(const std::filesystem::path& path) {
+HeaderOrError read_if_dicom(const std::filesystem::path& path, bool is_chosen) {
   HeaderOrError result;
-  if (!has_dicom_magic(path)) return result;
+  if (access(path.c_str(), R_OK) != 0) {
+    const std::error_code error(errno, std::generic_category());
+    result.error = InputError(path.filename().string(), "the file cannot be opened (" + error.message() + ")",
+                              "check that you may read it")
+                       .what();
+    return result;
+  }
+  if (!is_chosen && !has_dicom_magic(path)) return result;
   try {
     result.header = read_dicom_header(path);
   } catch (const Error& error) {
@@ -36,7 +45,7 @@ std::vector<HeaderOrError> read_headers(const std::vector<std::filesystem::path>
   for (std::size_t begin = 0; begin < paths.size(); begin += files_per_report) {
     progress.report("headers", static_cast<double>(begin) / static_cast<double>(paths.size()));
     const std::size_t end = std::min(paths.size(), begin + files_per_report);
-    tbb::parallel_for(begin, end, [&](std::size_t i) { results[i] = read_if_dicom(paths[i]); });
+    tbb::parallel_for(begin, end, [&](std::size_t i) { results[i] = read_if_dicom(paths[i], paths.size() == 1); });
   }
   return results;
 }
@@ -55,12 +64,12 @@ std::string list_series(const DicomScan& scan) {
 
 DicomSeries all_images(const DicomScan& scan) {
   DicomSeries all;
+  all.is_scene = true;
+  all.kind = DicomKind::kImage;
   for (const DicomSeries& series : scan.series) {
     if (series.kind != DicomKind::kImage) continue;
-    if (all.files.empty())
-      all = series;
-    else
-      all.files.insert(all.files.end(), series.files.begin(), series.files.end());
+    if (all.modality.empty()) all.modality = series.modality;
+    all.files.insert(all.files.end(), series.files.begin(), series.files.end());
   }
   return all;
 }
@@ -102,7 +111,7 @@ DicomScan scan_dicom(const std::filesystem::path& path, const Progress& progress
     if (!result.header) continue;
     DicomHeader& header = *result.header;
     const auto [entry, is_new] = index_of.try_emplace({header.kind, header.series_uid}, scan.series.size());
-    if (is_new) scan.series.push_back({header.series_uid, header.modality, header.kind, {}});
+    if (is_new) scan.series.push_back({header.series_uid, header.modality, header.kind, {}, false});
     scan.series[entry->second].files.push_back(std::move(header));
   }
   std::stable_sort(scan.series.begin(), scan.series.end(),

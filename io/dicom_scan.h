@@ -15,6 +15,7 @@ struct DicomSeries {
   std::string modality;
   DicomKind kind = DicomKind::kOther;
   std::vector<DicomHeader> files;
+  bool is_scene = false;  ///< all image series together
 };
 
 /// What a folder holds. A series' number, as users see it, is its index plus one.

@@ -4,8 +4,12 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
+
+#include "io/inflate.h"
 
 namespace isostack {
 
@@ -32,10 +36,10 @@ struct Element {
 
 class Walk {
  public:
-  explicit Walk(const std::filesystem::path& path)
-      : stream_(path, std::ios::binary), size_(std::filesystem::file_size(path)) {
-    go_to(128 + 4);
-  }
+  Walk(std::istream& stream, std::uintmax_t size, std::uintmax_t start) : stream_(stream), size_(size) { go_to(start); }
+
+  /// Everything from here on.
+  std::string rest() { return text_with_nulls(static_cast<std::size_t>(size_ - position_)); }
 
   /// Returns the transfer syntax's UID; ends before the first element of another group, which must
   /// be where the group's length says.
@@ -58,14 +62,21 @@ class Walk {
   }
 
   /// Walks to the end of the pixel data or of the file.
-  bool data_set(const Encoding& encoding) {
+  void data_set(const Encoding& encoding, DicomStructure& structure) {
     if (position_ == size_) throw Damaged();  // GDCM cannot bear an empty data set either
     while (position_ < size_) {
       const Element element = next(encoding);
+      if (element.tag >> 16 == 0xfffe) throw Damaged();  // as in members()
+      const std::uintmax_t start = position_;
       value(element, encoding, 0);
-      if (element.tag == pixel_data) return true;
+      if (element.tag != pixel_data) continue;
+      structure.has_pixels = true;
+      if (element.length == undefined_length) return;
+      structure.pixels_are_words = element.vr == "OW";
+      structure.pixel_offset = start;
+      structure.pixel_bytes = element.length;
+      return;
     }
-    return false;
   }
 
  private:
@@ -83,11 +94,15 @@ class Walk {
     else
       stream_.seekg(static_cast<std::streamoff>(position_));
   }
-  std::string text(std::size_t bytes) {
+  std::string text_with_nulls(std::size_t bytes) {
     std::string result(bytes, '\0');
     position_ += bytes;
     if (!stream_.read(result.data(), static_cast<std::streamsize>(bytes))) throw Damaged();
-    return result.substr(0, result.find('\0'));  // padded with NUL
+    return result;
+  }
+  std::string text(std::size_t bytes) {
+    const std::string padded = text_with_nulls(bytes);
+    return padded.substr(0, padded.find('\0'));
   }
   std::uint32_t number(int bytes, bool big_endian) {
     std::array<unsigned char, 4> raw{};
@@ -129,9 +144,20 @@ class Walk {
     return element;
   }
 
+  /// Implicit VR does not tell sequences of known length; GDCM looks into them when asked to.
+  bool is_implicit_sequence(const Element& element, const Encoding& encoding) {
+    const bool is_private = (element.tag >> 16) % 2 != 0;
+    if (encoding.explicit_vr || is_private || element.length < 8 || element.length > size_ - position_) return false;
+    const std::uintmax_t start = position_;
+    const std::uint32_t group = number(2, encoding.big_endian);
+    const bool is_sequence = (group << 16 | number(2, encoding.big_endian)) == item;
+    go_to(start);
+    return is_sequence;
+  }
+
   void value(const Element& element, const Encoding& encoding, int depth) {
     const bool is_undefined = element.length == undefined_length;
-    if (!is_undefined && element.vr != "SQ") return skip(element.length);
+    if (!is_undefined && element.vr != "SQ" && !is_implicit_sequence(element, encoding)) return skip(element.length);
     if (depth > deepest_nesting) throw Damaged();
     const Encoding inner = {encoding.explicit_vr && element.vr != "UN", encoding.big_endian};
     const std::uintmax_t end = position_ + element.length;
@@ -153,28 +179,39 @@ class Walk {
     while (is_undefined || position_ < end) {
       const Element member = next(encoding);
       if (is_undefined && member.tag == item_end) return;
+      if (member.tag >> 16 == 0xfffe) throw Damaged();  // GDCM ends the program on an item outside of a sequence
       value(member, encoding, depth);
     }
     if (position_ != end) throw Damaged();
   }
 
-  std::ifstream stream_;
+  std::istream& stream_;
   std::uintmax_t size_, position_ = 0;
 };
+
+/// The inflated data set is walked; it has no places in the file.
+void walk_deflated(const std::string& deflated, DicomStructure& structure) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 31;
+  const std::optional<std::string> data = inflate_raw(deflated, most_bytes);
+  if (!data) throw Damaged();
+  std::istringstream stream(*data);
+  Walk(stream, data->size(), 0).data_set({}, structure);
+  structure.pixel_offset = structure.pixel_bytes = 0;
+}
 
 }  // namespace
 
 DicomStructure walk_dicom(const std::filesystem::path& path) {
   DicomStructure structure;
   try {
-    Walk walk(path);
+    std::ifstream stream(path, std::ios::binary);
+    Walk walk(stream, std::filesystem::file_size(path), 128 + 4);
     const std::string syntax = walk.meta_information();
-    if (syntax == "1.2.840.10008.1.2.1.99") {  // deflated
-      structure.has_pixels = true;
-      return structure;
-    }
-    structure.has_pixels =
-        walk.data_set({.explicit_vr = syntax != "1.2.840.10008.1.2", .big_endian = syntax == "1.2.840.10008.1.2.2"});
+    if (syntax == "1.2.840.10008.1.2.1.99")
+      walk_deflated(walk.rest(), structure);
+    else
+      walk.data_set({.explicit_vr = syntax != "1.2.840.10008.1.2", .big_endian = syntax == "1.2.840.10008.1.2.2"},
+                    structure);
   } catch (const Damaged&) {
     structure.is_whole = false;
   }

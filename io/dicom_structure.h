@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 namespace isostack {
@@ -8,11 +9,13 @@ namespace isostack {
 struct DicomStructure {
   bool is_whole = true;  ///< false: an element reaches beyond the end of the file, or is not one
   bool has_pixels = false;
+  bool pixels_are_words = false;                     ///< VR OW
+  std::uintmax_t pixel_offset = 0, pixel_bytes = 0;  ///< in the file; 0 unless the pixels are there as they are
 };
 
 /// Walks over all elements up to the pixel data, also those in sequences. GDCM's own checks end the
-/// program on files that are cut off or damaged, so every file is walked first. Deflated data sets
-/// are not looked into.
+/// program on files that are cut off or damaged, so every file is walked first; a
+/// deflated data set is inflated for that.
 DicomStructure walk_dicom(const std::filesystem::path& path);
 
 }  // namespace isostack

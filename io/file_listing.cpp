@@ -26,7 +26,7 @@ std::vector<std::filesystem::path> regular_files(const std::filesystem::path& fo
   std::vector<std::filesystem::path> files;
   try {
     for (const auto& entry : Iterator(folder))
-      if (!entry.is_symlink() && entry.is_regular_file()) files.push_back(entry.path());
+      if (std::error_code dangling; entry.is_regular_file(dangling)) files.push_back(entry.path());
   } catch (const std::filesystem::filesystem_error& error) {
     throw InputError(folder.string(), "the folder cannot be read (" + error.code().message() + ")",
                      "check that it exists and that you may read it");

@@ -10,7 +10,8 @@ namespace isostack {
 bool natural_less(std::string_view a, std::string_view b);
 
 /// Regular files in the folder, or also in the folders below it, in natural order of their paths.
-/// Symbolic links are not followed. Throws InputError naming the folder when it cannot be read.
+/// Symbolic links to folders are not followed, so loops end. Throws InputError naming the folder when it cannot be
+/// read.
 enum class Depth { kThisFolder, kAllBelow };
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder, Depth depth);
 

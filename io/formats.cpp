@@ -6,9 +6,13 @@
 #include <algorithm>
 #include <cctype>
 
+#include "io/contours_csl.h"
+#include "io/contours_edges.h"
 #include "io/contours_json.h"
 #include "io/contours_vtp.h"
+#include "io/dicom_seg.h"
 #include "io/dicom_series.h"
+#include "io/guide_points.h"
 #include "io/image_stack.h"
 #include "io/mesh_gltf.h"
 #include "io/mesh_ply.h"
@@ -16,26 +20,48 @@
 #include "io/metaimage.h"
 #include "io/nifti.h"
 #include "io/nrrd.h"
+#include "io/rtstruct.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack {
 
 const std::vector<Format>& all_formats() {
   static const std::vector<Format> formats = {
-      {.name = "DICOM", .extensions = {".dcm", ".ima"}, .read_slices = read_dicom_slices},
+      {.name = "DICOM",
+       .extensions = {".dcm", ".ima"},
+       .read_slices = read_dicom_slices,
+       .read_contours = read_rtstruct,
+       .holds_contours = is_rtstruct,
+       .read_labels = read_dicom_seg,
+       .holds_labels = is_dicom_seg,
+       .write_labels = write_dicom_seg,
+       .labels_may_overlap = true,
+       .write_contours = write_rtstruct},
       {.name = "NIfTI",
        .extensions = {".nii.gz", ".nii"},
        .read_volume_header = read_nifti_header,
        .read_volume = read_nifti,
+       .read_stored_volume = read_stored_nifti,
+       .write_volume = write_nifti,
+       .read_labels = read_nifti_labels,
        .write_labels = write_nifti_labels},
       {.name = "NRRD",
        .extensions = {".nrrd", ".nhdr"},
        .read_volume_header = read_nrrd_header,
-       .read_volume = read_nrrd},
+       .read_volume = read_nrrd,
+       .read_stored_volume = read_stored_nrrd,
+       .write_volume = write_nrrd,
+       .read_labels = read_nrrd_labels,
+       .write_labels = write_nrrd_labels,
+       .labels_may_overlap = true},
       {.name = "MetaImage",
        .extensions = {".mha", ".mhd"},
        .read_volume_header = read_metaimage_header,
-       .read_volume = read_metaimage},
+       .read_volume = read_metaimage,
+       .read_stored_volume = read_stored_metaimage,
+       .write_volume = write_metaimage,
+       .read_labels = read_metaimage_labels,
+       .write_labels = write_metaimage_labels},
       {.name = "images",
        .extensions = {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp"},
        .read_slices = read_image_stack},
@@ -50,11 +76,28 @@ const std::vector<Format>& all_formats() {
        .write_mesh = write_vtp_mesh,
        .write_contours = write_vtp_contours},
       {.name = "glTF", .extensions = {".gltf"}, .write_mesh = write_gltf, .prescribes_axes = true},
+      {.name = "binary glTF", .extensions = {".glb"}, .write_mesh = write_glb, .prescribes_axes = true},
       {.name = "contour JSON",
        .extensions = {".json"},
        .read_contours = read_json_contours,
        .holds_contours = is_json_contours,
        .write_contours = write_json_contours},
+      {.name = "CSL",
+       .extensions = {".csl"},
+       .read_contours = read_csl,
+       .holds_contours = is_csl,
+       .says_every_plane = true,
+       .write_contours = write_csl},
+      {.name = "labelled edges",
+       .extensions = {".contour"},
+       .read_contours = read_edge_contours,
+       .holds_contours = is_edge_contours,
+       .says_every_plane = true,
+       .write_contours = write_edge_contours},
+      {.name = "cardiac guide points",
+       .extensions = {".txt"},
+       .read_contours = read_guide_points,
+       .holds_contours = holds_guide_points},
   };
   return formats;
 }

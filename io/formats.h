@@ -5,7 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "io/contour_file.h"
 #include "io/read_slices.h"
+#include "io/stored_volume.h"
 #include "io/volume_header.h"
 #include "io/write_options.h"
 #include "recon/geometry/contour.h"
@@ -26,12 +28,18 @@ struct Format {
   SliceStack (*read_slices)(const Path&, const ReadOptions&, const Progress&) = nullptr;
   VolumeHeader (*read_volume_header)(const Path&) = nullptr;  ///< formats that hold one grid of voxels
   Volume<float> (*read_volume)(const Path&) = nullptr;
+  StoredVolume (*read_stored_volume)(const Path&) = nullptr;
+  void (*write_volume)(const StoredVolume&, const Path&, const WriteOptions&) = nullptr;
   TriangleMesh (*read_mesh)(const Path&) = nullptr;
-  std::vector<ContourStack> (*read_contours)(const Path&) = nullptr;
+  ContourFile (*read_contours)(const Path&, const ReadOptions&) = nullptr;
   bool (*holds_contours)(const Path&) = nullptr;  ///< goes with read_contours
+  LabelMap (*read_labels)(const Path&) = nullptr;
+  bool (*holds_labels)(const Path&) = nullptr;  ///< goes with read_labels; null: any file of the format may be labels
   void (*write_labels)(const LabelMap&, const Path&, const WriteOptions&) = nullptr;
+  bool labels_may_overlap = false;  ///< of written labels: more than one layer
   void (*write_mesh)(const TriangleMesh&, const Path&) = nullptr;
   bool prescribes_axes = false;  ///< of meshes: the format itself says where up is
+  bool says_every_plane = false;  ///< of written contours: an organ without any on a plane is absent there
   void (*write_contours)(const std::vector<ContourStack>&, const Path&, const WriteOptions&) = nullptr;
 };
 

@@ -32,6 +32,21 @@ std::optional<GapSummary> summarise_gaps(const std::vector<SliceGap>& gaps) {
   return GapSummary{sorted_mm.front(), sorted_mm[sorted_mm.size() / 2], sorted_mm.back()};
 }
 
+std::string orientation_letters(const SlicePose& pose) {
+  return {direction_letter(pose.x_axis), direction_letter(pose.y_axis), direction_letter(pose.normal())};
+}
+
+/// Of poses in the order of order_along_normals.
+std::vector<OrientationSummary> summarise_orientations(const std::vector<SlicePose>& poses) {
+  std::vector<OrientationSummary> orientations;
+  for (std::size_t i = 0, first = 0; i < poses.size(); ++i) {
+    if (i > 0 && !are_parallel(poses[first], poses[i])) first = i;
+    if (i == first) orientations.push_back({orientation_letters(poses[i]), 0, poses[i].normal()});
+    ++orientations.back().slice_count;
+  }
+  return orientations;
+}
+
 std::vector<SeriesSummary> inspect_folder(const std::filesystem::path& folder) {
   const auto files = files_in(folder, Depth::kAllBelow);
   if (std::any_of(files.begin(), files.end(), has_dicom_magic)) return inspect_dicom(folder);
@@ -63,8 +78,8 @@ void summarise_poses(const std::vector<SlicePose>& poses, int columns, int rows,
   summarise_spacing(poses, summary);
   summary.row_direction = first.x_axis;
   summary.column_direction = first.y_axis;
-  summary.orientation = {direction_letter(first.x_axis), direction_letter(first.y_axis),
-                         direction_letter(first.normal())};
+  summary.orientation = orientation_letters(first);
+  summary.orientations = summarise_orientations(poses);
   summary.orientation_count = geometry.orientations;
   summary.gaps = summarise_gaps(geometry.gaps);
   summary.tilt_deg = geometry.tilt_deg;
@@ -80,7 +95,7 @@ void summarise_poses(const std::vector<SlicePose>& poses, int columns, int rows,
 std::vector<SeriesSummary> inspect(const std::filesystem::path& path) {
   require_exists(path);
   if (std::filesystem::is_directory(path)) return inspect_folder(path);
-  if (has_dicom_magic(path)) return inspect_dicom(path);
+  if (has_dicom_magic(path) || is_called_dicom(path)) return inspect_dicom(path);
   if (find_format(path, &Format::read_volume_header)) return {inspect_volume(path)};
   if (find_format(path, &Format::read_slices)) return {inspect_images(path)};
   if (find_format(path, &Format::read_contours) && holds_contours(path)) return inspect_contours(path);

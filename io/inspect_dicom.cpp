@@ -21,6 +21,13 @@ const char* kind_name(DicomKind kind) {
   }
 }
 
+std::string repeated_positions(const OrderedSeries& series) {
+  return fmt::format(
+      "repeated positions: up to {} slices lie at one place, told apart by {}; choose one phase with "
+      "--phase (phase 1 is shown)",
+      series.phase_count, series.phases_by);
+}
+
 SeriesSummary summarise(const DicomSeries& series, int number) {
   const DicomHeader& first = series.files.front();
   SeriesSummary summary;
@@ -33,11 +40,17 @@ SeriesSummary summarise(const DicomSeries& series, int number) {
   summary.columns = first.columns;
   summary.rows = first.rows;
   if (first.bits_stored > 0) summary.value_type = fmt::format("{}int{}", first.is_signed ? "" : "u", first.bits_stored);
+  if (series.kind == DicomKind::kStructureSet)
+    for (const DicomHeader& file : series.files) summarise_structure_set(file.path, summary);
   if (series.kind != DicomKind::kImage) return summary;
   try {
-    const OrderedSeries ordered = order_series(series);
-    summarise_poses(ordered.poses, first.columns, first.rows, summary);
+    const OrderedSeries ordered = order_series(series, 1);
+    summarise_poses(ordered.poses, ordered.files.front().columns, ordered.files.front().rows, summary);
+    summary.phase_count = ordered.phase_count;
+    summary.phases_by = ordered.phases_by;
+    summary.slice_thickness_mm = ordered.files.front().slice_thickness_mm;
     summary.warnings = series_warnings(ordered);
+    if (ordered.phase_count > 1) summary.warnings.insert(summary.warnings.begin(), repeated_positions(ordered));
   } catch (const Error& error) {
     summary.warnings.push_back(fmt::format("unusable: {}", error.what()));
   }

@@ -5,6 +5,7 @@
 #include "io/image_stack.h"
 #include "io/inspect_parts.h"
 #include "io/read_mesh.h"
+#include "io/slice_order.h"
 
 namespace isostack {
 
@@ -55,13 +56,16 @@ SeriesSummary inspect_mesh(const std::filesystem::path& path) {
 
 std::vector<SeriesSummary> inspect_contours(const std::filesystem::path& path) {
   std::vector<SeriesSummary> summaries;
-  for (const ContourStack& organ : read_contours(path)) {
+  const ContourFile file = read_contour_file(path);
+  for (const ContourStack& organ : file.organs) {
     SeriesSummary& summary = summaries.emplace_back();
     if (!organ.slices.empty()) {
       std::vector<SlicePose> poses;
       for (const ContourSlice& slice : organ.slices) poses.push_back(slice.pose);
+      std::vector<SlicePose> ordered;
+      for (const std::size_t i : order_along_normals(poses)) ordered.push_back(poses[i]);
       const Eigen::Vector2i size = organ.slices.front().size_pixels;
-      summarise_poses(poses, size.x(), size.y(), summary);
+      summarise_poses(ordered, size.x(), size.y(), summary);
     }
     summary.kind = "contours";
     summary.name = organ.name;
@@ -74,6 +78,7 @@ std::vector<SeriesSummary> inspect_contours(const std::filesystem::path& path) {
         for (const Eigen::Vector2d& point : contour.points_mm) bounds.add(slice.pose.slice_to_world(point));
     }
   }
+  if (!summaries.empty()) summaries.front().warnings = file.warnings;
   return summaries;
 }
 

@@ -23,6 +23,9 @@ class BoundsBuilder {
   bool empty_ = true;
 };
 
+/// Adds the organs of a DICOM structure set, their bounds and what its reader warns of.
+void summarise_structure_set(const std::filesystem::path& path, SeriesSummary& summary);
+
 std::vector<SeriesSummary> inspect_dicom(const std::filesystem::path& path);
 SeriesSummary inspect_volume(const std::filesystem::path& path);
 SeriesSummary inspect_images(const std::filesystem::path& path);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -29,6 +30,21 @@ void complete_mesh(TriangleMesh& mesh, const std::string& where) {
   if (!finite) throw InputError(where, "a vertex has a coordinate that is not a number", "repair the mesh");
   if (mesh.normals.size() != mesh.vertices_mm.size()) mesh.normals.clear();
   for (Eigen::Vector3d& normal : mesh.normals) normal.normalize();
+}
+
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  return text;
+}
+
+void CommonColor::add(const Eigen::Vector3d& channels) {
+  if (differs_) return;
+  const bool is_color = channels.allFinite() && channels.minCoeff() >= 0 && channels.maxCoeff() <= 255;
+  const auto channel = [&](int i) { return static_cast<std::uint8_t>(std::lround(channels[i])); };
+  const Color color = is_color ? Color{channel(0), channel(1), channel(2)} : Color{};
+  if (is_color && !color_) color_ = color;
+  differs_ = !is_color || *color_ != color;
 }
 
 void merge_coinciding(TriangleMesh& mesh) {

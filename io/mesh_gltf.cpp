@@ -1,9 +1,11 @@
 #include "io/mesh_gltf.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/atomic_file.h"
@@ -52,9 +54,9 @@ class Buffer {
   void describe(Json& document) const {
     document["accessors"] = accessors_;
     document["bufferViews"] = views_;
-    document["buffers"] = {
-        {{"byteLength", bytes_.size()}, {"uri", "data:application/octet-stream;base64," + base64(bytes_)}}};
+    document["buffers"] = Json::array({{{"byteLength", bytes_.size()}}});
   }
+  const std::string& bytes() const { return bytes_; }
 
  private:
   Json views_ = Json::array(), accessors_ = Json::array();
@@ -88,24 +90,71 @@ std::size_t add_indices(const TriangleMesh& mesh, Buffer& buffer) {
   return buffer.add(indices, component_uint32, "SCALAR", target_elements);
 }
 
+/// glTF's colours are linear; 8-bit colours are sRGB (IEC 61966-2-1).
+double linear(std::uint8_t srgb) {
+  const double value = srgb / 255.0;
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+Json material_of(const Color& color, const std::string& name) {
+  return {{"name", name},
+          {"pbrMetallicRoughness",
+           {{"baseColorFactor", {linear(color.red), linear(color.green), linear(color.blue), 1}},
+            {"metallicFactor", 0},
+            {"roughnessFactor", 0.6}}}};
+}
+
+/// The document without its buffer's bytes, which go into `buffer`.
+Json document_of(const TriangleMesh& mesh, Buffer& buffer) {
+  Json document = {{"asset", {{"version", "2.0"}, {"generator", "isostack"}}}, {"scene", 0}};
+  if (mesh.triangles.empty()) {  // glTF forbids empty arrays
+    document["scenes"] = Json::array({Json::object()});
+    return document;
+  }
+  Json primitive = {{"attributes", {{"POSITION", add_positions(mesh, buffer)}}}};
+  if (!mesh.normals.empty()) primitive["attributes"]["NORMAL"] = add_normals(mesh, buffer);
+  primitive["indices"] = add_indices(mesh, buffer);
+  if (mesh.color) {
+    document["materials"] = Json::array({material_of(*mesh.color, mesh.name)});
+    primitive["material"] = 0;
+  }
+  document["meshes"] = Json::array({{{"name", mesh.name}, {"primitives", Json::array({primitive})}}});
+  document["nodes"] = Json::array({{{"mesh", 0}, {"name", mesh.name}}});
+  document["scenes"] = Json::array({{{"nodes", {0}}}});
+  buffer.describe(document);
+  return document;
+}
+
+std::string text_of(const Json& document) { return document.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+std::string little_endian(std::size_t value) {
+  std::string bytes;
+  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(value >> shift & 0xff);
+  return bytes;
+}
+
+/// A chunk of GLB (glTF 2.0, section 4.4), padded to four bytes.
+std::string chunk(std::string content, char padding, std::string_view type) {
+  while (content.size() % 4 != 0) content += padding;
+  return little_endian(content.size()) + std::string(type) + content;
+}
+
 }  // namespace
 
 void write_gltf(const TriangleMesh& mesh, const std::filesystem::path& path) {
-  Json document = {{"asset", {{"version", "2.0"}, {"generator", "isostack"}}}, {"scene", 0}};
-  if (!mesh.triangles.empty()) {  // glTF forbids empty arrays
-    Buffer buffer;
-    Json attributes = {{"POSITION", add_positions(mesh, buffer)}};
-    if (!mesh.normals.empty()) attributes["NORMAL"] = add_normals(mesh, buffer);
-    const std::size_t indices = add_indices(mesh, buffer);
-    document["meshes"] = Json::array(
-        {{{"name", mesh.name}, {"primitives", Json::array({{{"attributes", attributes}, {"indices", indices}}})}}});
-    document["nodes"] = Json::array({{{"mesh", 0}}});
-    document["scenes"] = Json::array({{{"nodes", {0}}}});
-    buffer.describe(document);
-  } else {
-    document["scenes"] = Json::array({Json::object()});
-  }
-  write_whole_file(path, document.dump(-1, ' ', false, Json::error_handler_t::replace));
+  Buffer buffer;
+  Json document = document_of(mesh, buffer);
+  if (document.contains("buffers"))
+    document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(buffer.bytes());
+  write_whole_file(path, text_of(document));
+}
+
+void write_glb(const TriangleMesh& mesh, const std::filesystem::path& path) {
+  Buffer buffer;
+  std::string chunks = chunk(text_of(document_of(mesh, buffer)), ' ', "JSON");
+  if (!buffer.bytes().empty()) chunks += chunk(buffer.bytes(), '\0', std::string_view("BIN\0", 4));
+  constexpr std::size_t header_bytes = 12, version = 2;
+  write_whole_file(path, "glTF" + little_endian(version) + little_endian(header_bytes + chunks.size()) + chunks);
 }
 
 }  // namespace isostack

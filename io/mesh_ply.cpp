@@ -31,8 +31,11 @@ struct Element {
   std::uint64_t count = 0;
   std::vector<Property> properties;
 };
+const std::string name_remark = "comment name: ";
+
 struct Header {
   Encoding encoding = Encoding::kText;
+  std::string mesh_name;
   std::vector<Element> elements;
 };
 
@@ -104,6 +107,7 @@ Header read_header(Cursor& cursor) {
     std::istringstream words(line);
     std::string word;
     words >> word;
+    if (line.starts_with(name_remark)) header.mesh_name = line.substr(name_remark.size());
     if (word == "format") {
       words >> word;
       header.encoding = encoding_from(word, cursor);
@@ -130,9 +134,9 @@ std::vector<long long> read_list(const Property& property, Encoding encoding, Cu
   return values;
 }
 
-void read_vertex(const Element& element, Encoding encoding, Cursor& cursor, TriangleMesh& mesh) {
-  constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
-  Eigen::Matrix<double, 6, 1> values;
+void read_vertex(const Element& element, Encoding encoding, Cursor& cursor, TriangleMesh& mesh, CommonColor& color) {
+  constexpr std::array<std::string_view, 9> names = {"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue"};
+  Eigen::Matrix<double, 9, 1> values;
   values.setConstant(std::numeric_limits<double>::quiet_NaN());
   for (const Property& property : element.properties) {
     if (!property.count_type.empty()) {
@@ -144,7 +148,8 @@ void read_vertex(const Element& element, Encoding encoding, Cursor& cursor, Tria
     if (name != names.end()) values[name - names.begin()] = value;
   }
   mesh.vertices_mm.push_back(values.head<3>());
-  if (values.tail<3>().allFinite()) mesh.normals.push_back(values.tail<3>());
+  if (values.segment<3>(3).allFinite()) mesh.normals.push_back(values.segment<3>(3));
+  color.add(values.tail<3>());
 }
 
 void read_face(const Element& element, Encoding encoding, Cursor& cursor, TriangleMesh& mesh,
@@ -159,6 +164,15 @@ void read_face(const Element& element, Encoding encoding, Cursor& cursor, Triang
   }
 }
 
+std::string header_of(const TriangleMesh& mesh) {
+  return fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment LPS mm\n{}element vertex {}\nproperty float x\nproperty float "
+      "y\nproperty float z\n{}{}element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      mesh.name.empty() ? "" : name_remark + one_line(mesh.name) + "\n", mesh.vertices_mm.size(),
+      mesh.normals.empty() ? "" : "property float nx\nproperty float ny\nproperty float nz\n",
+      mesh.color ? "property uchar red\nproperty uchar green\nproperty uchar blue\n" : "", mesh.triangles.size());
+}
+
 }  // namespace
 
 TriangleMesh read_ply(const std::filesystem::path& path) {
@@ -166,15 +180,18 @@ TriangleMesh read_ply(const std::filesystem::path& path) {
   Cursor cursor(std::string(std::istreambuf_iterator<char>(stream), {}), path.string());
   const Header header = read_header(cursor);
   TriangleMesh mesh;
+  mesh.name = header.mesh_name;
+  CommonColor color;
   for (const Element& element : header.elements) {
     if (element.properties.empty()) continue;  // takes no bytes, whatever its count says
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (element.name == "vertex")
-        read_vertex(element, header.encoding, cursor, mesh);
+        read_vertex(element, header.encoding, cursor, mesh, color);
       else
         read_face(element, header.encoding, cursor, mesh, path.string());
     }
   }
+  mesh.color = color.color();
   complete_mesh(mesh, path.string());
   return mesh;
 }
@@ -182,17 +199,16 @@ TriangleMesh read_ply(const std::filesystem::path& path) {
 void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path) {
   static_assert(std::endian::native == std::endian::little, "values are written as they are in memory");
   const bool has_normals = !mesh.normals.empty();
-  std::string bytes = fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment LPS mm\nelement vertex {}\nproperty float x\nproperty float y\n"
-      "property float z\n{}element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-      mesh.vertices_mm.size(), has_normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "",
-      mesh.triangles.size());
+  std::string bytes = header_of(mesh);
   const auto append = [&](const auto& vector) {
     bytes.append(reinterpret_cast<const char*>(vector.data()), sizeof(vector[0]) * 3);
   };
   for (std::size_t i = 0; i < mesh.vertices_mm.size(); ++i) {
     append(Eigen::Vector3f(mesh.vertices_mm[i].cast<float>()));
     if (has_normals) append(Eigen::Vector3f(mesh.normals[i].cast<float>()));
+    if (mesh.color)
+      for (const std::uint8_t channel : {mesh.color->red, mesh.color->green, mesh.color->blue})
+        bytes += static_cast<char>(channel);
   }
   for (const Eigen::Vector3i& triangle : mesh.triangles) {
     bytes += '\3';

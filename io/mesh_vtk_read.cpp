@@ -1,17 +1,20 @@
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
+#include <vtkStringArray.h>
 
 #include <cstring>
 #include <fstream>
 
 #include "io/mesh_building.h"
 #include "io/mesh_vtk.h"
+#include "io/text_header.h"
 #include "io/vtk_errors.h"
 #include "io/vtp_file.h"
 
@@ -58,6 +61,23 @@ void require_whole_stl(const std::filesystem::path& path) {
     throw InputError(path.string(), "it is not a whole STL file", "it is empty, truncated or another format");
 }
 
+/// Name and colours, which VTK's reader skips. Several objects in one file have no common name.
+void read_obj_looks(const std::filesystem::path& path, TriangleMesh& mesh) {
+  std::ifstream stream(path);
+  CommonColor color;
+  int objects = 0;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (line.starts_with("o ") && ++objects == 1) mesh.name = line.substr(2);
+    if (!line.starts_with("v ")) continue;
+    const std::vector<double> numbers = parse_numbers(line.substr(2));
+    color.add(numbers.size() == 6 ? Eigen::Vector3d(Eigen::Vector3d::Map(numbers.data() + 3) * 255)
+                                  : Eigen::Vector3d::Constant(-1));
+  }
+  if (objects > 1) mesh.name.clear();
+  mesh.color = color.color();
+}
+
 }  // namespace
 
 TriangleMesh read_stl(const std::filesystem::path& path) {
@@ -77,9 +97,21 @@ TriangleMesh read_obj(const std::filesystem::path& path) {
   update_or_throw(*reader, path);
   TriangleMesh mesh = mesh_from(*reader->GetOutput(), path);
   merge_coinciding(mesh);
+  read_obj_looks(path, mesh);
   return mesh;
 }
 
-TriangleMesh read_vtp_mesh(const std::filesystem::path& path) { return mesh_from(*read_vtp(path), path); }
+TriangleMesh read_vtp_mesh(const std::filesystem::path& path) {
+  const vtkSmartPointer<vtkPolyData> data = read_vtp(path);
+  TriangleMesh mesh = mesh_from(*data, path);
+  auto* name = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("name"));
+  if (name && name->GetNumberOfValues() == 1) mesh.name = name->GetValue(0);
+  vtkDataArray* colors = data->GetPointData()->GetArray("color");
+  if (!colors || colors->GetDataType() != VTK_UNSIGNED_CHAR || colors->GetNumberOfComponents() != 3) return mesh;
+  CommonColor color;
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i) color.add(Eigen::Vector3d(colors->GetTuple3(i)));
+  mesh.color = color.color();
+  return mesh;
+}
 
 }  // namespace isostack

@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
+#include <cctype>
 #include <string_view>
 
+#include "io/label_values.h"
 #include "io/text_header.h"
 #include "io/voxel_decoder.h"
+#include "io/voxel_output.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack {
@@ -113,6 +117,64 @@ Volume<float> read_metaimage(const std::filesystem::path& path) {
   volume.grid = header.volume.grid;
   volume.voxels = read_voxels(header.volume, header.voxels, path.string());
   return volume;
+}
+
+StoredVolume read_stored_metaimage(const std::filesystem::path& path) {
+  const MetaImageHeader header = parse_header(path);
+  return read_stored_voxels(header.volume, header.voxels, path.string());
+}
+
+LabelMap read_metaimage_labels(const std::filesystem::path& path) {
+  return label_map_of(read_stored_metaimage(path), path.string());
+}
+
+namespace {
+
+std::string header_text(const VolumeHeader& header) {
+  const Eigen::Affine3d& map = header.grid.index_to_world;
+  const Eigen::Vector3d spacing_mm = map.linear().colwise().norm();
+  std::string directions;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < 3; ++i) directions += fmt::format(" {}", map.linear()(i, axis) / spacing_mm[axis]);
+  std::string type;
+  for (const ValueType& known : value_types)
+    if (known.name == header.value_type) type = known.key;
+  std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return std::toupper(c); });
+  return fmt::format(
+      "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = {}\nTransformMatrix ={}\n"
+      "Offset = {} {} {}\nCenterOfRotation = 0 0 0\nElementSpacing = {} {} {}\nDimSize = {} {} {}\nElementType = {}\n",
+      std::endian::native == std::endian::big ? "True" : "False", directions, map.translation().x(),
+      map.translation().y(), map.translation().z(), spacing_mm.x(), spacing_mm.y(), spacing_mm.z(),
+      header.grid.size.x(), header.grid.size.y(), header.grid.size.z(), type);
+}
+
+void write(const VolumeHeader& header, std::span<const char> voxels, const std::filesystem::path& path,
+           const WriteOptions& options) {
+  std::string text = header_text(header);
+  const std::string bytes = options.compressed ? deflated(voxels, Deflate::zlib) : std::string();
+  if (options.compressed) {
+    voxels = bytes;
+    text += fmt::format("CompressedData = True\nCompressedDataSize = {}\n", bytes.size());
+  }
+  if (path.extension() != ".mhd") return write_header_and_voxels(path, text + "ElementDataFile = LOCAL\n", voxels);
+  std::filesystem::path beside = path;
+  beside.replace_extension(options.compressed ? ".zraw" : ".raw");
+  write_header_and_voxels(beside, "", voxels);
+  write_header_and_voxels(path, text + fmt::format("ElementDataFile = {}\n", beside.filename().string()), {});
+}
+
+}  // namespace
+
+void write_metaimage(const StoredVolume& volume, const std::filesystem::path& path, const WriteOptions& options) {
+  const StoredVolume plain = with_rescale_applied(volume);
+  write(plain.header, plain.bytes, path, options);
+}
+
+void write_metaimage_labels(const LabelMap& labels, const std::filesystem::path& path, const WriteOptions& options) {
+  VolumeHeader header;
+  header.grid = single_layer(labels, path.string(), "MetaImage").grid;
+  const std::string voxels = interleaved_labels(labels, header.value_type);
+  write(header, voxels, path, options);
 }
 
 }  // namespace isostack

@@ -194,6 +194,7 @@ NiftiHeader parse_nifti_header(const std::filesystem::path& path) {
                    .offset_bytes = static_cast<std::uintmax_t>(std::clamp(offset, 0.0, 1e15)),
                    .offset_is_inflated = true,
                    .swapped = fields.swapped()};
+  header.extensions_begin = static_cast<std::uintmax_t>(fields.layout().header_bytes);
   check_volume_header(header.volume, header.voxels, where);
   return header;
 }

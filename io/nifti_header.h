@@ -11,6 +11,7 @@ namespace isostack {
 struct NiftiHeader {
   VolumeHeader volume;
   VoxelFile voxels;
+  std::uintmax_t extensions_begin = 0;  ///< bytes between the header and the voxels, after decompression
 };
 
 /// Reads .nii or .nii.gz. The pose is the sform if its code is positive, else the

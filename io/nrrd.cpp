@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "io/label_values.h"
+#include "io/nrrd_segments.h"
 #include "io/text_header.h"
 #include "io/voxel_decoder.h"
 #include "recon/geometry/errors.h"
@@ -54,12 +56,29 @@ void read_type(const TextHeader& fields, VolumeHeader& volume, const std::string
                    "convert it to integers or floats");
 }
 
+/// Layers of labels come as a first axis that has no direction ("none").
+bool has_layers(const TextHeader& fields) {
+  return fields.numbers("sizes").size() == 4 && fields.lower("space directions").starts_with("none");
+}
+
+/// Sizes along the axes of space.
+std::vector<double> space_sizes(const TextHeader& fields) {
+  std::vector<double> sizes = fields.numbers("sizes");
+  if (has_layers(fields)) sizes.erase(sizes.begin());
+  return sizes;
+}
+
 void read_size(const TextHeader& fields, VolumeHeader& volume, const std::string& where) {
-  const std::vector<double> sizes = fields.numbers("sizes");
-  if ((sizes.size() != 2 && sizes.size() != 3) || fields.numbers("dimension") != std::vector{double(sizes.size())})
+  const std::vector<double> sizes = fields.numbers("sizes"), in_space = space_sizes(fields);
+  const bool is_volume = in_space.size() == 2 || in_space.size() == 3;
+  if (!is_volume || fields.numbers("dimension") != std::vector{double(sizes.size())})
     throw InputError(where, fmt::format("it has {} dimensions", sizes.size()),
                      "give one 2D or 3D volume of grey values or labels");
-  volume.grid.size = whole_sizes(sizes);
+  volume.grid.size = whole_sizes(in_space);
+  if (!has_layers(fields)) return;
+  volume.components = whole_sizes({sizes.front()}).x();
+  if (volume.components < 1 || volume.components > 65535)
+    throw InputError(where, fmt::format("the header claims {:g} layers", sizes.front()), "repair the header");
 }
 
 /// "(1,0,0) none (0,1,0)" as vectors; "none" is left out.
@@ -88,7 +107,7 @@ Eigen::Vector3d lps_signs(const TextHeader& fields, VolumeHeader& volume, const 
 }
 
 void read_pose(const TextHeader& fields, VolumeHeader& volume, const std::string& where) {
-  const auto dimensions = static_cast<std::size_t>(fields.numbers("sizes").size());
+  const std::size_t dimensions = space_sizes(fields).size();
   const Eigen::Vector3d signs = lps_signs(fields, volume, where);
   auto directions = vectors_in(fields.text("space directions"));
   if (fields.text("space directions").empty()) {
@@ -124,9 +143,8 @@ VoxelFile find_voxels(const TextHeader& fields, const std::filesystem::path& pat
   return voxels;
 }
 
-NrrdHeader parse_header(const std::filesystem::path& path) {
+NrrdHeader parse_header(const TextHeader& fields, const std::filesystem::path& path) {
   const std::string where = path.string();
-  const TextHeader fields = read_fields(path);
   NrrdHeader header;
   read_size(fields, header.volume, where);
   read_type(fields, header.volume, where);
@@ -138,14 +156,29 @@ NrrdHeader parse_header(const std::filesystem::path& path) {
 
 }  // namespace
 
-VolumeHeader read_nrrd_header(const std::filesystem::path& path) { return parse_header(path).volume; }
+VolumeHeader read_nrrd_header(const std::filesystem::path& path) {
+  return parse_header(read_fields(path), path).volume;
+}
 
 Volume<float> read_nrrd(const std::filesystem::path& path) {
-  const NrrdHeader header = parse_header(path);
+  const NrrdHeader header = parse_header(read_fields(path), path);
   Volume<float> volume;
   volume.grid = header.volume.grid;
   volume.voxels = read_voxels(header.volume, header.voxels, path.string());
   return volume;
+}
+
+StoredVolume read_stored_nrrd(const std::filesystem::path& path) {
+  const NrrdHeader header = parse_header(read_fields(path), path);
+  return read_stored_voxels(header.volume, header.voxels, path.string());
+}
+
+LabelMap read_nrrd_labels(const std::filesystem::path& path) {
+  const TextHeader fields = read_fields(path);
+  const NrrdHeader header = parse_header(fields, path);
+  LabelMap map = label_map_of(read_stored_voxels(header.volume, header.voxels, path.string()), path.string());
+  add_nrrd_segments(fields, map);
+  return map;
 }
 
 }  // namespace isostack

@@ -2,14 +2,15 @@
 
 #include "io/file_listing.h"
 #include "io/formats.h"
+#include "io/mesh_axes.h"
 
 namespace isostack {
 
-TriangleMesh read_mesh(const std::filesystem::path& path) {
+TriangleMesh read_mesh(const std::filesystem::path& path, MeshAxes axes) {
   require_exists(path);
   TriangleMesh mesh = format_for(path, &Format::read_mesh, "a mesh").read_mesh(path);
-  mesh.name = path.stem().string();
-  return mesh;
+  if (mesh.name.empty()) mesh.name = path.stem().string();
+  return axes == MeshAxes::ras ? lps_to_ras(std::move(mesh)) : mesh;  // the turn is its own inverse
 }
 
 }  // namespace isostack

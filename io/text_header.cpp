@@ -13,7 +13,7 @@ namespace isostack {
 
 namespace {
 
-constexpr std::uintmax_t longest_header = 64 * 1024;
+constexpr std::uintmax_t longest_header = 1024 * 1024;
 
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r");

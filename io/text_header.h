@@ -27,7 +27,7 @@ struct TextHeaderStyle {
   std::string last_key = {};  ///< the header ends with this key's line
 };
 
-/// Throws InputError naming the file when it cannot be read or has no such end within 64 KiB.
+/// Throws InputError naming the file when it cannot be read or has no such end within 1 MiB.
 TextHeader read_text_header(const std::filesystem::path& path, const TextHeaderStyle& style);
 
 /// Numbers separated by white space; empty when anything else occurs.

@@ -13,6 +13,7 @@ namespace isostack {
 struct VolumeHeader {
   Grid grid;               ///< index order of the file; world LPS mm
   std::string value_type;  ///< "int16", "float", ...
+  int components = 1;      ///< values per voxel, interleaved: layers of labels
   double slope = 1;        ///< value = slope * stored + intercept
   double intercept = 0;
   std::vector<std::string> warnings;  ///< what to know about the pose

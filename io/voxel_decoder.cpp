@@ -1,13 +1,16 @@
 #include "io/voxel_decoder.h"
 
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <fstream>
 #include <span>
 
+#include "io/voxel_types.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack {
@@ -50,6 +53,12 @@ class ByteSource {
   }
 
   void inflate_into(std::span<char> bytes) {
+    constexpr std::size_t zlib_at_once = 1 << 30;
+    for (; bytes.size() > zlib_at_once; bytes = bytes.subspan(zlib_at_once)) inflate_part(bytes.first(zlib_at_once));
+    inflate_part(bytes);
+  }
+
+  void inflate_part(std::span<char> bytes) {
     inflater_.next_out = reinterpret_cast<Bytef*>(bytes.data());
     inflater_.avail_out = static_cast<uInt>(bytes.size());
     while (inflater_.avail_out > 0) {
@@ -73,56 +82,58 @@ class ByteSource {
 };
 
 template <class Stored>
-float rescaled(const char* bytes, bool swapped, const VolumeHeader& header) {
+Stored value_at(const char* bytes, bool swapped) {
   std::array<char, sizeof(Stored)> raw;
   std::memcpy(raw.data(), bytes, sizeof(Stored));
   if (swapped) std::reverse(raw.begin(), raw.end());
-  Stored stored;
-  std::memcpy(&stored, raw.data(), sizeof(Stored));
-  return static_cast<float>(header.slope * static_cast<double>(stored) + header.intercept);
+  return std::bit_cast<Stored>(raw);
 }
 
-struct ValueType {
-  std::string_view name;
-  int bytes;
-  float (*read)(const char* bytes, bool swapped, const VolumeHeader& header);
-};
-constexpr ValueType value_types[] = {
-    {"int8", 1, rescaled<std::int8_t>},   {"uint8", 1, rescaled<std::uint8_t>},
-    {"int16", 2, rescaled<std::int16_t>}, {"uint16", 2, rescaled<std::uint16_t>},
-    {"int32", 4, rescaled<std::int32_t>}, {"uint32", 4, rescaled<std::uint32_t>},
-    {"int64", 8, rescaled<std::int64_t>}, {"uint64", 8, rescaled<std::uint64_t>},
-    {"float", 4, rescaled<float>},        {"double", 8, rescaled<double>},
-};
-
-const ValueType* find_type(const std::string& name) {
-  const auto* found = std::find_if(std::begin(value_types), std::end(value_types),
-                                   [&](const ValueType& type) { return type.name == name; });
-  return found == std::end(value_types) ? nullptr : found;
+[[noreturn]] void throw_unsupported(const std::string& where) {
+  throw InputError(where, "its voxel type is not supported", "convert it to integers or floats");
 }
 
 }  // namespace
 
 int bytes_of_type(const std::string& value_type) {
-  const ValueType* type = find_type(value_type);
-  return type ? type->bytes : 0;
+  std::size_t bytes = 0;
+  with_voxel_type(value_type, [&]<class T>(T) { bytes = sizeof(T); });
+  return static_cast<int>(bytes);
 }
 
 std::vector<float> read_voxels(const VolumeHeader& header, const VoxelFile& file, const std::string& where) {
-  const ValueType* type = find_type(header.value_type);
-  if (!type) throw InputError(where, "its voxel type is not supported", "convert it to integers or floats");
+  if (header.components != 1)
+    throw InputError(where, fmt::format("it has {} values per voxel", header.components),
+                     "give one 3D volume of grey values or labels");
   ByteSource source(file, where);
   std::vector<float> voxels(header.grid.voxel_count());
-  const auto bytes = static_cast<std::size_t>(type->bytes);
   constexpr std::size_t values_at_once = 1 << 14;
-  std::vector<char> buffer(values_at_once * bytes);
-  for (std::size_t begin = 0; begin < voxels.size(); begin += values_at_once) {
-    const std::size_t count = std::min(values_at_once, voxels.size() - begin);
-    source.fill(std::span(buffer).first(count * bytes));
-    for (std::size_t i = 0; i < count; ++i)
-      voxels[begin + i] = type->read(buffer.data() + i * bytes, file.swapped, header);
-  }
+  const bool known = with_voxel_type(header.value_type, [&]<class T>(T) {
+    std::vector<char> buffer(values_at_once * sizeof(T));
+    for (std::size_t begin = 0; begin < voxels.size(); begin += values_at_once) {
+      const std::size_t count = std::min(values_at_once, voxels.size() - begin);
+      source.fill(std::span(buffer).first(count * sizeof(T)));
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto stored = static_cast<double>(value_at<T>(buffer.data() + i * sizeof(T), file.swapped));
+        voxels[begin + i] = static_cast<float>(header.slope * stored + header.intercept);
+      }
+    }
+  });
+  if (!known) throw_unsupported(where);
   return voxels;
+}
+
+StoredVolume read_stored_voxels(const VolumeHeader& header, const VoxelFile& file, const std::string& where) {
+  const auto value_bytes = static_cast<std::size_t>(bytes_of_type(header.value_type));
+  if (value_bytes == 0) throw_unsupported(where);
+  ByteSource source(file, where);
+  StoredVolume volume{header, {}};
+  volume.bytes.resize(header.grid.voxel_count() * static_cast<std::size_t>(header.components) * value_bytes);
+  source.fill(volume.bytes);
+  if (file.swapped)
+    for (auto value = volume.bytes.begin(); value != volume.bytes.end(); value += static_cast<long>(value_bytes))
+      std::reverse(value, value + static_cast<long>(value_bytes));
+  return volume;
 }
 
 }  // namespace isostack

@@ -11,9 +11,6 @@ namespace isostack {
 
 namespace {
 
-/// Normals and planes' disagreements need no more.
-constexpr double loose_tolerance_pixels = 0.02;
-
 double pixel_mm_of(const ContourStack& contours) {
   double pixel_mm = std::numeric_limits<double>::infinity();
   for (const ContourSlice& slice : contours.slices) pixel_mm = std::min(pixel_mm, slice.pose.spacing_mm.minCoeff());
@@ -39,7 +36,8 @@ ContourFit::ContourFit(const ContourStack& contours, const ReconstructOptions& o
       report_(report),
       pixel_mm_(pixel_mm_of(contours)),
       smoothing_(options.smoothing),
-      samples_(sample_contours(contours, {.max_samples = first_samples(contours, options)})),
+      samples_(sample_contours(contours, {.max_samples = first_samples(contours, options),
+                                          .min_spacing_pixels = options.sample_spacing_pixels})),
       contour_points_(all_samples(contours)) {
   build_constraints();
   report.smoothing = options.smoothing;
@@ -132,6 +130,7 @@ void ContourFit::add(const std::vector<Disagreement>& wrong) {
 void ContourFit::build_constraints() {
   built_ = signed_constraints(contours_, samples_, {.offset_pixels = options_.offset_pixels});
   add_points(added_points_mm_, added_values_mm_, built_);
+  add_strays();
 }
 
 }  // namespace isostack

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "recon/constraints/contour_constraints.h"
@@ -10,10 +11,14 @@
 #include "recon/geometry/contour.h"
 #include "recon/geometry/progress.h"
 #include "recon/reconstruct.h"
+#include "recon/section_repairs.h"
 #include "recon/solvers/interpolation_solver.h"
 #include "recon/surface/implicit_function.h"
 
 namespace isostack {
+
+/// Normals and planes' disagreements need no more.
+constexpr double loose_tolerance_pixels = 0.02;
 
 /// The function of one organ while it is being fitted to its contours: solves settle the values of the
 /// partners of obliquely cut contour points, planes that disagree add constraints. What comes before the last solve
@@ -26,6 +31,11 @@ class ContourFit {
 
   /// The function after all rounds, solved to the tolerance. Throws SolveError as reconstruct() does.
   ImplicitFunction run();
+
+  /// The function again, with constraints where sections of the surface strayed from the contours; none when nothing
+  /// could be added. `function` is the last one.
+  std::optional<ImplicitFunction> repair(const SectionDeviations& deviations, const ImplicitFunction& function);
+
   const ContourConstraints& constraints() const { return built_; }
 
  private:
@@ -37,6 +47,7 @@ class ContourFit {
   void build_constraints();
   bool add_farthest(const ImplicitFunction& function);
   ImplicitFunction smooth_to_tolerance(ImplicitFunction interpolating);
+  void add_strays();
   void report_residual(const ImplicitFunction& function);
 
   const ContourStack& contours_;
@@ -49,6 +60,7 @@ class ContourFit {
   std::vector<ContourSample> contour_points_;     ///< all of them
   std::vector<Eigen::Vector3d> added_points_mm_;  ///< what planes objected to
   std::vector<double> added_values_mm_;
+  std::vector<StrayPoint> strays_;  ///< where sections of the surface were off the contours
   std::vector<SoftPlace> soft_places_;
   ContourConstraints built_;
   std::unique_ptr<InterpolationSolver> solver_;

@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "recon/contour_fit.h"
 #include "recon/geometry/errors.h"
 #include "recon/geometry/peak_memory.h"
 #include "recon/geometry/stopwatch.h"
+#include "recon/section_repairs.h"
+#include "recon/surface/cut_field.h"
 #include "recon/surface/extract_surface.h"
 #include "recon/surface/stack_caps.h"
 
@@ -33,24 +37,22 @@ void FittedOrgan::add_plane(const SlicePose& pose) {
   pixel_mm = std::min(pixel_mm, pose.spacing_mm.minCoeff());
 }
 
-FittedOrgan fit_organ(const ContourStack& contours, const ReconstructOptions& options, const Progress& progress,
-                      ReconstructReport& report) {
-  const Stopwatch constraint_watch;
-  ContourFit fit(contours, options, progress, report);
+namespace {
+
+FittedOrgan fitted_organ(const ContourFit& fit, ImplicitFunction function, const ContourStack& contours) {
   const ContourConstraints& built = fit.constraints();
-  report.contour_points = point_count(contours);
-  report.constraint_seconds = constraint_watch.seconds();
-
-  const Stopwatch solve_watch;
-  FittedOrgan organ{.function = fit.run(), .poses = {}, .seeds_mm = {}};
-  report.boundary_constraints = built.samples.size();
-  report.solve_seconds = solve_watch.seconds();
-
+  FittedOrgan organ{.function = std::move(function), .poses = {}, .seeds_mm = {}};
   for (std::size_t i = 0; i < built.samples.size(); ++i)
     organ.seeds_mm.emplace_back(built.constraints.points.col(static_cast<Eigen::Index>(i)));
-  for (const ContourSlice& slice : contours.slices) organ.add_plane(slice.pose);
+  organ.samples = built.samples;
+  for (const ContourSlice& slice : contours.slices) {
+    organ.add_plane(slice.pose);
+    organ.slice_names.push_back(slice.name);
+  }
   return organ;
 }
+
+}  // namespace
 
 BoundedField bounded_field(const FittedOrgan& organ, const ReconstructOptions& options) {
   const auto values = [f = organ.function](const Eigen::MatrixXd& points) { return f.values(points); };
@@ -62,26 +64,151 @@ BoundedField bounded_field(const FittedOrgan& organ, const ReconstructOptions& o
   return bounded;
 }
 
-void extract_organ(const FittedOrgan& organ, const BoundedField& bounded, const ReconstructOptions& options,
-                   const Progress& progress, Reconstruction& result) {
+namespace {
+
+/// Specks this small fit between the cells' corners; they are counted, not missed.
+constexpr double speck_pixels = 1.2;
+
+/// Contours wider than a speck whose points are all without a surface, each by one of its samples.
+std::vector<ContourSample> lost_contours(const FittedOrgan& organ, const std::vector<std::size_t>& lost_seeds) {
+  using Loop = std::pair<std::size_t, std::size_t>;
+  std::map<Loop, std::size_t> samples_on, lost_on;
+  std::map<Loop, Eigen::AlignedBox2d> boxes;
+  for (const ContourSample& sample : organ.samples) {
+    ++samples_on[{sample.slice, sample.contour}];
+    boxes[{sample.slice, sample.contour}].extend(sample.point_in_slice_mm);
+  }
+  std::vector<ContourSample> lost;
+  if (organ.samples.empty()) return lost;
+  for (const std::size_t seed : lost_seeds) {
+    const ContourSample& sample = organ.samples[seed];
+    const Loop loop{sample.slice, sample.contour};
+    if (++lost_on[loop] < samples_on[loop]) continue;
+    const double wide_mm = boxes[loop].sizes().maxCoeff();
+    if (wide_mm > speck_pixels * organ.poses[sample.slice].spacing_mm.minCoeff()) lost.push_back(sample);
+  }
+  return lost;
+}
+
+constexpr int most_refinements = 2;
+constexpr std::size_t most_vertices_to_refine = 1'000'000;  // a refined surface has four times as many
+
+std::pair<ExtractedSurface, std::vector<ContourSample>> extract_every_contour(const FittedOrgan& organ,
+                                                                              const ScalarField& field,
+                                                                              const ReconstructOptions& options,
+                                                                              ExtractionOptions& extraction,
+                                                                              const Progress& progress) {
+  ExtractedSurface extracted = extract_surface(field, organ.seeds_mm, extraction, progress);
+  std::vector<ContourSample> lost = lost_contours(organ, extracted.seeds_without_surface);
+  for (int i = 0; i < most_refinements && !lost.empty() && options.resolution_mm <= 0 &&
+                  extracted.mesh.vertices_mm.size() < most_vertices_to_refine;
+       ++i) {
+    extraction.resolution_mm /= 2;
+    extracted = extract_surface(field, organ.seeds_mm, extraction, progress);
+    lost = lost_contours(organ, extracted.seeds_without_surface);
+  }
+  return {std::move(extracted), std::move(lost)};
+}
+
+}  // namespace
+
+std::vector<ContourSample> extract_organ(const FittedOrgan& organ, const BoundedField& bounded,
+                                         const ReconstructOptions& options, const Progress& progress,
+                                         Reconstruction& result) {
   const Stopwatch watch;
   const StackBounds& bounds = bounded.bounds;
   ExtractionOptions extraction;
   const double box_diagonal_mm = bounds.box.diagonal().norm();
-  extraction.resolution_mm =
-      options.resolution_mm > 0 ? options.resolution_mm : std::max(organ.pixel_mm, box_diagonal_mm / 600);
+  extraction.resolution_mm = options.resolution_mm > 0
+                                 ? options.resolution_mm
+                                 : std::max(organ.cell_pixels * organ.pixel_mm, box_diagonal_mm / 600);
   extraction.bounds = bounds.box;
   extraction.half_spaces = bounds.half_spaces;
-  ExtractedSurface extracted = extract_surface(bounded.field, organ.seeds_mm, extraction, progress);
+  auto [extracted, lost] = extract_every_contour(organ, bounded.field, options, extraction, progress);
   result.surface =
       options.caps == Caps::open ? clipped(std::move(extracted.mesh), bounds.ends) : std::move(extracted.mesh);
   result.kept_points_mm = organ.seeds_mm;
   result.report.resolution_mm = extraction.resolution_mm;
-  result.report.contour_points_without_surface = extracted.seeds_without_surface;
+  result.report.contour_points_without_surface = extracted.seeds_without_surface.size();
   result.report.open_end = bounds.open_end;
   result.report.cut_by_bounds = extracted.cut_by_bounds;
   result.report.surface_seconds += watch.seconds();
   result.report.peak_bytes = peak_memory_bytes();
+  return std::move(lost);
+}
+
+void require_none_lost(const std::vector<ContourSample>& lost, const FittedOrgan& organ,
+                       const ReconstructOptions& options) {
+  if (lost.empty() || options.accept_residual) return;
+  const ContourSample& first = lost.front();
+  throw SolveError(
+      organ.slice_names[first.slice],
+      fmt::format("the surface misses its contour near ({:.1f}, {:.1f}) mm in the slice{}", first.point_in_slice_mm.x(),
+                  first.point_in_slice_mm.y(), lost.size() > 1 ? fmt::format(" and {} others", lost.size() - 1) : ""),
+      "give a finer --resolution, less --smoothing or more --max-constraints, or go on without them with "
+      "--accept-residual");
+}
+
+namespace {
+
+/// Where sections of a surface with cells of one pixel are farther than this from the contours, on average, the organ
+/// has parts too thin or too curved for them.
+constexpr double coarse_mean_pixels = 0.03;
+
+}  // namespace
+
+OrganSurface reconstruct_organ(const ContourStack& contours, const ReconstructOptions& options,
+                               const Progress& progress) {
+  require_two_slices(contours);
+  Reconstruction result;
+  ReconstructReport& report = result.report;
+  const Stopwatch constraint_watch;
+  ContourFit fit(contours, options, progress, report);
+  report.contour_points = point_count(contours);
+  report.constraint_seconds = constraint_watch.seconds();
+
+  const Stopwatch solve_watch;
+  FittedOrgan organ = fitted_organ(fit, fit.run(), contours);
+  report.boundary_constraints = organ.samples.size();
+  report.solve_seconds = solve_watch.seconds();
+  BoundedField bounded = bounded_field(organ, options);
+  std::vector<ContourSample> lost = extract_organ(organ, bounded, options, progress, result);
+
+  const bool sections_repairable = options.smoothing <= 0 && !options.tolerance_mm && options.caps != Caps::open;
+  for (int round = 0; sections_repairable && round < options.section_rounds; ++round) {
+    progress.report("sections", 0);
+    const Stopwatch repair_watch;
+    SectionDeviations deviations = section_deviations(result.surface, contours, options.section_tolerance_pixels);
+    if (round == 0 && options.resolution_mm <= 0 && deviations.mean_pixels > coarse_mean_pixels) {
+      organ.cell_pixels = 0.5;
+      lost = extract_organ(organ, bounded, options, progress, result);
+      deviations = section_deviations(result.surface, contours, options.section_tolerance_pixels);
+    }
+    if (deviations.empty()) break;
+    std::optional<ImplicitFunction> repaired = fit.repair(deviations, organ.function);
+    if (!repaired) break;
+    const double cell_pixels = organ.cell_pixels;
+    organ = fitted_organ(fit, std::move(*repaired), contours);
+    organ.cell_pixels = cell_pixels;
+    report.solve_seconds += repair_watch.seconds();
+    bounded = bounded_field(organ, options);
+    lost = extract_organ(organ, bounded, options, progress, result);
+  }
+  require_none_lost(lost, organ, options);
+  result.surface.name = contours.name;
+  result.surface.color = contours.color;
+  return {std::move(organ), std::move(bounded), std::move(result)};
+}
+
+void retriangulate_organ(const BoundedField& bounded, const ReconstructOptions& options, const Progress& progress,
+                         Reconstruction& result) {
+  if (!options.retriangulation.any()) return;
+  const Stopwatch watch;
+  const FieldBounds bounds{bounded.bounds.box, bounded.bounds.half_spaces, 1e-3 * result.report.resolution_mm};
+  const ScalarField field = cut_to_bounds(bounded.field, bounds);
+  result.surface =
+      retriangulate(result.surface, options.retriangulation, result.report.retriangulation.emplace(), &field, progress);
+  result.report.surface_seconds += watch.seconds();
 }
 
 }  // namespace isostack

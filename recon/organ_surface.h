@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "recon/constraints/contour_samples.h"
 #include "recon/geometry/contour.h"
 #include "recon/geometry/progress.h"
 #include "recon/geometry/slice_pose.h"
@@ -25,14 +26,13 @@ struct FittedOrgan {
   ImplicitFunction function;
   std::vector<SlicePose> poses;
   double pixel_mm = std::numeric_limits<double>::infinity();
-  std::vector<Eigen::Vector3d> seeds_mm;  ///< contour points that became boundary constraints
+  double cell_pixels = 1;                     ///< width of the surface's cells where no resolution is asked for
+  std::vector<Eigen::Vector3d> seeds_mm;      ///< contour points that became boundary constraints
+  std::vector<ContourSample> samples = {};    ///< the same, with their contours; empty when made from images
+  std::vector<std::string> slice_names = {};  ///< for samples
 
   void add_plane(const SlicePose& pose);
 };
-
-/// Fits the function of one organ and fills the report. Throws as reconstruct() does.
-FittedOrgan fit_organ(const ContourStack& contours, const ReconstructOptions& options, const Progress& progress,
-                      ReconstructReport& report);
 
 /// f and its gradient; with flat or open caps, unchanged beyond the outermost slices with contours.
 struct BoundedField {
@@ -41,8 +41,32 @@ struct BoundedField {
 };
 BoundedField bounded_field(const FittedOrgan& organ, const ReconstructOptions& options);
 
-/// The surface of the field, which may differ from the organ's own, into result.surface; fills the report.
-void extract_organ(const FittedOrgan& organ, const BoundedField& bounded, const ReconstructOptions& options,
-                   const Progress& progress, Reconstruction& result);
+/// The surface of the field, which may differ from the organ's own, into result.surface; fills the report. Where a
+/// resolution is not asked for, it is refined until every contour has a surface. Returns a sample of each contour that
+/// has none even so.
+std::vector<ContourSample> extract_organ(const FittedOrgan& organ, const BoundedField& bounded,
+                                         const ReconstructOptions& options, const Progress& progress,
+                                         Reconstruction& result);
+
+/// Throws SolveError naming the first slice unless there is none or options.accept_residual.
+void require_none_lost(const std::vector<ContourSample>& lost, const FittedOrgan& organ,
+                       const ReconstructOptions& options);
+
+/// An organ by itself.
+struct OrganSurface {
+  FittedOrgan fitted;
+  BoundedField bounded;
+  Reconstruction result;
+};
+
+/// Fits the function of one organ and extracts its surface, again and again while sections by the input planes stray
+/// from the contours. Throws as reconstruct() does.
+OrganSurface reconstruct_organ(const ContourStack& contours, const ReconstructOptions& options,
+                               const Progress& progress);
+
+/// Remeshes or simplifies result.surface as the options ask, on the zero set of the field it was extracted from; fills
+/// the report. Throws GeometryError as retriangulate() does.
+void retriangulate_organ(const BoundedField& bounded, const ReconstructOptions& options, const Progress& progress,
+                         Reconstruction& result);
 
 }  // namespace isostack

@@ -6,6 +6,7 @@
 #include "recon/constraints/image_constraints.h"
 #include "recon/geometry/errors.h"
 #include "recon/geometry/stopwatch.h"
+#include "recon/metrics/input_sections.h"
 #include "recon/organ_surface.h"
 #include "recon/solve_steps.h"
 #include "recon/solvers/interpolation_solver.h"
@@ -24,12 +25,10 @@ std::vector<Eigen::Vector3d> leading_points(const ConstraintSet& set, Eigen::Ind
 }  // namespace
 
 Reconstruction reconstruct(const ContourStack& contours, const ReconstructOptions& options, const Progress& progress) {
-  require_two_slices(contours);
-  Reconstruction result;
-  const FittedOrgan organ = fit_organ(contours, options, progress, result.report);
-  extract_organ(organ, bounded_field(organ, options), options, progress, result);
-  result.surface.name = contours.name;
-  return result;
+  OrganSurface organ = reconstruct_organ(contours, options, progress);
+  retriangulate_organ(organ.bounded, options, progress, organ.result);
+  organ.result.report.sections = agreement_at_inputs(organ.result.surface, contours);
+  return std::move(organ.result);
 }
 
 Reconstruction reconstruct_turk_obrien(const SliceStack& images, double level, const ReconstructOptions& options,
@@ -63,7 +62,9 @@ Reconstruction reconstruct_turk_obrien(const SliceStack& images, double level, c
   result.report.solve_seconds = solve_watch.seconds();
 
   for (const Slice& slice : images.slices) organ.add_plane(slice.pose);
-  extract_organ(organ, bounded_field(organ, options), options, progress, result);
+  const BoundedField bounded = bounded_field(organ, options);
+  extract_organ(organ, bounded, options, progress, result);
+  retriangulate_organ(bounded, options, progress, result);
   result.surface.name = images.name;
   return result;
 }

@@ -14,7 +14,9 @@
 #include "recon/geometry/slice.h"
 #include "recon/geometry/triangle_mesh.h"
 #include "recon/kernels/kernel.h"
+#include "recon/metrics/slice_agreement.h"
 #include "recon/solvers/interpolation_solver.h"
+#include "recon/surface/retriangulate.h"
 #include "recon/surface/stack_bounds.h"
 
 namespace isostack {
@@ -31,12 +33,18 @@ struct ReconstructOptions {
   double offset_pixels = 1;    ///< distance of the partners inside and outside the contour
   int solves = 5;              ///< solves that settle the oblique cuts; 1 leaves them uncorrected
   int plane_check_rounds = 6;  ///< repairs at most, after comparing f with the segmentation on every plane
+  /// Sections of the surface by the input planes are repaired where they are farther than this from the contours there.
+  double section_tolerance_pixels = 0.25;
+  int section_rounds = 3;                         ///< of such repairs at most
+  double sample_spacing_pixels = 0.5;             ///< nearer contour points are left out
   SolverChoice solver = SolverChoice::automatic;  ///< dense, fast, or whichever takes less time
   double solve_tolerance_pixels = 1e-3;           ///< largest residual of the fast solver
   bool accept_residual = false;                   ///< go on with the best solution when the solve stalls
   std::size_t max_constraints = 60'000;           ///< contours are thinned to this many
-  double resolution_mm = 0;    ///< cell size of the surface; 0: the pixel size, at least 1/400 of the diagonal
-  Caps caps = Caps::round;     ///< how the surface ends beyond a parallel stack
+  double resolution_mm =
+      0;  ///< cell size of the surface; 0: a pixel, half of it for thin parts; at least diagonal / 600
+  Caps caps = Caps::round;                      ///< how the surface ends beyond a parallel stack
+  RetriangulationOptions retriangulation = {};  ///< of the extracted surface; by default it stays as extracted
   bool allow_overlap = false;  ///< reconstruct_all: leave surfaces of several organs as each is by itself
   std::size_t memory_limit_bytes = std::size_t{8} << 30;
 };
@@ -61,14 +69,17 @@ struct ReconstructReport {
   std::vector<SolveStage> solve_stages;  ///< seconds of all solves together, largest bytes
   double resolution_mm = 0;
   std::size_t contour_points_without_surface = 0;
-  std::size_t plane_points = 0;                ///< lattice points compared with the segmentation, all planes together
-  std::size_t plane_points_wrong = 0;          ///< of those, more than a pixel on the wrong side of the result
-  std::size_t plane_constraints = 0;           ///< constraints added for them
-  ContourResidual contour_residual;            ///< of all contour points, whether constraints or not
-  double smoothing = 0;                        ///< ρ that met the tolerance, or that was given
-  std::vector<std::string> shares_faces_with;  ///< organs that had to be kept from overlapping this one
-  bool open_end = false;                       ///< the organ is cut by the end of the stack: the surface is flat there
-  bool cut_by_bounds = false;                  ///< flat there, or cut at the box round the contours
+  std::size_t plane_points = 0;         ///< lattice points compared with the segmentation, all planes together
+  std::size_t plane_points_wrong = 0;   ///< of those, more than a pixel on the wrong side of the result
+  std::size_t plane_constraints = 0;    ///< constraints added for them
+  std::size_t section_constraints = 0;  ///< contour points and others added because sections strayed
+  ContourResidual contour_residual;     ///< of all contour points, whether constraints or not
+  SliceAgreement sections;              ///< cuts of the surface by all input planes against the contours there
+  double smoothing = 0;                 ///< ρ that met the tolerance, or that was given
+  std::optional<RetriangulationReport> retriangulation;  ///< when it was asked for
+  std::vector<std::string> shares_faces_with;            ///< organs that had to be kept from overlapping this one
+  bool open_end = false;       ///< the organ is cut by the end of the stack: the surface is flat there
+  bool cut_by_bounds = false;  ///< flat there, or cut at the box round the contours
   double constraint_seconds = 0, solve_seconds = 0, surface_seconds = 0;
   std::size_t peak_bytes = 0;  ///< of the whole process
 };

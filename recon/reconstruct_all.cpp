@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "recon/geometry/errors.h"
+#include "recon/metrics/input_sections.h"
 #include "recon/organ_surface.h"
 
 namespace isostack {
@@ -75,11 +76,35 @@ bool reaches_into(const TriangleMesh& mesh, const Organ& organ) {
   return (values_within(organ, vertices).array() > 0).any();
 }
 
-void find_rivals(const std::vector<Reconstruction>& results, std::vector<Organ>& organs) {
+/// Whether contours of one organ lie inside the other on a plane both were drawn on, as a tumour lies in an organ:
+/// then the surfaces may overlap as well.
+bool overlap_as_given(const ContourStack& a, const ContourStack& b) {
+  constexpr double touching_pixels = 1;
+  const auto lies_within = [](const ContourSlice& inner, const ContourSlice& outer) {
+    const double touching_mm = touching_pixels * outer.pose.spacing_mm.minCoeff();
+    for (const Contour& contour : inner.contours)
+      for (const Eigen::Vector2d& p : contour.points_mm) {
+        const Eigen::Vector2d in_outer = outer.pose.world_to_slice(inner.pose.slice_to_world(p));
+        if (signed_distance_mm(outer.contours, in_outer) > touching_mm) return true;
+      }
+    return false;
+  };
+  for (const ContourSlice& of_a : a.slices)
+    for (const ContourSlice& of_b : b.slices)
+      if (!of_a.contours.empty() && !of_b.contours.empty() &&
+          in_one_plane(of_a.pose, of_b.pose, 0.1 * of_a.pose.spacing_mm.minCoeff()) &&
+          (lies_within(of_a, of_b) || lies_within(of_b, of_a)))
+        return true;
+  return false;
+}
+
+void find_rivals(const std::vector<ContourStack>& stacks, const std::vector<Reconstruction>& results,
+                 std::vector<Organ>& organs) {
   for (std::size_t i = 0; i < organs.size(); ++i)
     for (std::size_t j = i + 1; j < organs.size(); ++j) {
       if (!organs[i].box.intersects(organs[j].box)) continue;
       if (!reaches_into(results[i].surface, organs[j]) && !reaches_into(results[j].surface, organs[i])) continue;
+      if (overlap_as_given(stacks[i], stacks[j])) continue;
       organs[i].rivals.push_back(static_cast<int>(j));
       organs[j].rivals.push_back(static_cast<int>(i));
     }
@@ -96,27 +121,31 @@ std::vector<Reconstruction> reconstruct_all(const std::vector<ContourStack>& sta
   }
   std::vector<Organ> organs;
   for (const ContourStack& stack : stacks) {
-    require_two_slices(stack);
-    Reconstruction& result = results.emplace_back();
-    FittedOrgan fitted = fit_organ(stack, options, progress, result.report);
-    BoundedField own = bounded_field(fitted, options);
-    extract_organ(fitted, own, options, progress, result);
+    OrganSurface alone = reconstruct_organ(stack, options, progress);
+    const Reconstruction& result = results.emplace_back(std::move(alone.result));
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& v : result.surface.vertices_mm) box.extend(v);
     const double margin = 2 * result.report.resolution_mm;
     box = {box.min().array() - margin, box.max().array() + margin};
-    organs.push_back({std::move(fitted), std::move(own), box, {}});
-    result.surface.name = stack.name;
+    organs.push_back({std::move(alone.fitted), std::move(alone.bounded), box, {}});
   }
-  find_rivals(results, organs);
+  find_rivals(stacks, results, organs);
   for (std::size_t i = 0; i < organs.size(); ++i) {
-    if (organs[i].rivals.empty()) continue;
+    if (organs[i].rivals.empty()) {
+      retriangulate_organ(organs[i].own, options, progress, results[i]);
+      continue;
+    }
     BoundedField shared{without_rivals(organs, organs[i]), organs[i].own.bounds};
-    extract_organ(organs[i].fitted, shared, options, progress, results[i]);
+    require_none_lost(extract_organ(organs[i].fitted, shared, options, progress, results[i]), organs[i].fitted,
+                      options);
+    retriangulate_organ(shared, options, progress, results[i]);
     results[i].surface.name = stacks[i].name;
+    results[i].surface.color = stacks[i].color;
     for (const int rival : organs[i].rivals)
       results[i].report.shares_faces_with.push_back(stacks[static_cast<std::size_t>(rival)].name);
   }
+  for (std::size_t i = 0; i < results.size(); ++i)
+    results[i].report.sections = agreement_at_inputs(results[i].surface, stacks[i]);
   return results;
 }
 

@@ -12,8 +12,9 @@ namespace isostack {
 ///     min(f_i, f_i − max_{j≠i} f_j),
 ///
 /// with f_j taken as negative beyond j's own bounds, so the surfaces of two organs share the face f_i = f_j. Organs
-/// that do not overlap any other keep the surface reconstruct() gives; options.allow_overlap keeps it for all. Throws
-/// as reconstruct() does.
+/// that do not overlap any other keep the surface reconstruct() gives, and so do organs whose contours were drawn
+/// overlapping in a common plane, such as a tumour within an organ; options.allow_overlap keeps it for all. Throws as
+/// reconstruct() does.
 std::vector<Reconstruction> reconstruct_all(const std::vector<ContourStack>& organs, const ReconstructOptions& options,
                                             const Progress& progress = {});
 

@@ -90,8 +90,8 @@ std::vector<std::size_t> stacking_order(const SliceStack& stack) {
     if (!raster_matches(slice, stack.slices.front()))
       throw GeometryError(slice.name,
                           "it is not parallel to " + stack.slices.front().name +
-                              " with the same axes, spacing and size, so the largest component in 3D is not defined",
-                          "leave out `largest` or segment each series of parallel slices by itself");
+                              " with the same axes, spacing and size, so what is connected in 3D is not defined",
+                          "leave out `largest` and seeds, or segment each series of parallel slices by itself");
   const std::vector<double> positions_mm = positions_along_normal_mm(stack.slices);
   std::vector<std::size_t> order(stack.slices.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

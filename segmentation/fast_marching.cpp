@@ -1,183 +1,161 @@
 #include "segmentation/fast_marching.h"
 
+#include <oneapi/tbb/parallel_invoke.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <optional>
-#include <queue>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
-#include "segmentation/derivatives.h"
+#include "segmentation/curve_distance.h"
+#include "segmentation/eikonal.h"
+#include "segmentation/lattice.h"
+#include "segmentation/pieces.h"
 
 namespace isostack {
 
 namespace {
 
-/// Distance to the zero set along the normal from φ + |∇φ| s + φ_nn s²/2 = 0; nothing where φ bends too much
-/// within a pixel for the expansion to be trusted (noise, steps).
-template <int D>
-std::optional<double> distance_by_expansion(const Derivatives<D>& derivatives, double value, double pixel_mm) {
-  const auto gradient = derivatives.gradient();
-  const double norm = gradient.norm();
-  if (!(norm > 0)) return std::nullopt;
-  const double second = gradient.dot(derivatives.hessian * gradient) / (norm * norm);
-  constexpr double largest_bend = 0.7, largest_bend_along_normal = 0.25;
-  if ((derivatives.forward - derivatives.backward).cwiseAbs().maxCoeff() > largest_bend * norm ||
-      std::abs(second) * pixel_mm > largest_bend_along_normal * norm)
-    return std::nullopt;
-  const double discriminant = norm * norm - 2 * second * value;
-  if (discriminant < 0) return std::nullopt;
-  return std::abs(2 * value / (norm + std::sqrt(discriminant)));
-}
+/// What is known of a node; `border` is added on the lattice's border.
+enum State : std::uint8_t { far = 0, trial = 1, known = 2, beside_curve = 3, border = 4 };
+using States = std::vector<std::uint8_t>;
 
+/// One side of the curve. The other side is read beside the curve only, where nothing changes any more.
 template <int D>
 class Marcher {
  public:
-  Marcher(Field<D>& phi, double band_mm)
-      : phi_(phi), band_mm_(band_mm), distance_(phi.values.size(), infinity), is_known_(phi.values.size(), 0) {}
+  Marcher(Field<D>& phi, const Lattice<D>& lattice, States& state, double band_mm, bool inside)
+      : phi_(phi.values.data()),
+        lattice_(lattice),
+        state_(state),
+        band_mm_(band_mm),
+        sign_(inside ? 1 : -1),
+        width_mm_(phi.smallest_spacing_mm() / 10),
+        buckets_(static_cast<std::size_t>(band_mm / width_mm_) + 1) {}
 
-  void run() {
-    initialise();
-    while (!front_.empty()) {
-      const auto [distance, node] = front_.top();
-      front_.pop();
-      if (is_known_[node]) continue;
-      if (distance > band_mm_) break;
-      is_known_[node] = 1;
-      update_neighbours(node);
+  void run(const std::vector<std::size_t>& beside) {
+    for (const std::size_t node : beside)
+      if (is_mine(node) && distance(node) <= band_mm_) update_neighbours(node);
+    for (auto& bucket : buckets_) {
+      for (std::size_t i = 0; i < bucket.size(); ++i) {  // grows on the way
+        const std::size_t node = bucket[i];
+        if (state_of(node) != trial) continue;
+        set_state(node, known);
+        update_neighbours(node);
+      }
+      std::vector<std::size_t>().swap(bucket);
     }
-    for (std::size_t node = 0; node < distance_.size(); ++node)
-      phi_.values[node] = std::copysign(is_known_[node] ? std::min(distance_[node], band_mm_) : band_mm_, sign(node));
   }
 
  private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  using Entry = std::pair<double, std::size_t>;
+  bool is_mine(std::size_t node) const { return is_inside(phi_[node]) == (sign_ > 0); }
+  /// As seen from this side: negative across the zero set.
+  double distance(std::size_t node) const { return sign_ * static_cast<double>(phi_[node]); }
 
-  double sign(std::size_t node) const { return phi_.values[node] >= 0 ? 1 : -1; }
-
-  template <class Visit>
-  void for_each_neighbour(std::size_t node, Visit visit) const {
-    const auto position = phi_.position_of(node);
-    for (int axis = 0; axis < D; ++axis) {
-      const std::size_t stride = phi_.stride(axis);
-      if (position[axis] > 0) visit(axis, node - stride);
-      if (position[axis] + 1 < phi_.size[axis]) visit(axis, node + stride);
-    }
+  int state_of(std::size_t node) const { return state_[node] & ~border; }
+  void set_state(std::size_t node, State state) {
+    state_[node] = static_cast<std::uint8_t>((state_[node] & border) | state);
   }
-
-  void initialise() {
-    std::vector<std::size_t> near;
-    for (std::size_t node = 0; node < distance_.size(); ++node) {
-      const double by_crossings = distance_by_crossings(node);
-      if (by_crossings == infinity) continue;
-      distance_[node] = distance_by_expansion(derivatives_at(phi_, node), phi_.values[node], phi_.smallest_spacing_mm())
-                            .value_or(by_crossings);
-      is_known_[node] = 1;
-      near.push_back(node);
-    }
-    for (std::size_t node : near) update_neighbours(node);
-  }
-
-  /// Distance to the plane through the nearest crossing on every axis; infinite away from the zero set.
-  double distance_by_crossings(std::size_t node) const {
-    std::array<double, D> nearest;
-    nearest.fill(infinity);
-    for_each_neighbour(node, [&](int axis, std::size_t neighbour) {
-      if (sign(neighbour) == sign(node)) return;
-      const double fraction = phi_.values[node] / (phi_.values[node] - phi_.values[neighbour]);
-      nearest[axis] = std::min(nearest[axis], fraction * phi_.spacing_mm[axis]);
-    });
-    double sum = 0;
-    for (double d : nearest) sum += 1 / (d * d);
-    return sum > 0 ? 1 / std::sqrt(sum) : infinity;
+  typename Lattice<D>::Sides sides_of(std::size_t node) const {
+    return state_[node] & border ? lattice_.sides_of(node) : lattice_.all_sides;
   }
 
   void update_neighbours(std::size_t node) {
-    for_each_neighbour(node, [&](int, std::size_t neighbour) {
-      if (is_known_[neighbour] || sign(neighbour) != sign(node)) return;
-      const double distance = solve(neighbour);
-      if (distance >= distance_[neighbour]) return;
-      distance_[neighbour] = distance;
-      front_.emplace(distance, neighbour);
+    lattice_.for_each_neighbour(sides_of(node), [&](int, std::ptrdiff_t step) {
+      const std::size_t there = lattice_.moved(node, step);
+      if (is_mine(there) && state_of(there) <= trial) update(there);
     });
   }
 
-  /// One axis of |∇u|² = 1 as (slope·u − offset)².
-  struct Difference {
-    double slope, offset, neighbour;
-  };
-
-  /// Distance of a known node as seen from this side: negative across the zero set.
-  double seen_from(double side, std::size_t node) const { return side * sign(node) * distance_[node]; }
-
-  std::optional<Difference> upwind_difference(std::size_t node, int axis, int position) const {
-    const std::size_t stride = phi_.stride(axis);
-    const double h = phi_.spacing_mm[axis], side = sign(node);
-    std::optional<Difference> best;
-    for (const int step : {-1, 1}) {
-      const auto reachable = [&](int steps) {
-        const int there = position + steps * step;
-        return there >= 0 && there < phi_.size[axis];
-      };
-      const auto at = [&](int steps) {
-        return step < 0 ? node - static_cast<std::size_t>(steps) * stride
-                        : node + static_cast<std::size_t>(steps) * stride;
-      };
-      if (!reachable(1) || !is_known_[at(1)]) continue;
-      const double first = seen_from(side, at(1));
-      if (best && best->neighbour <= first) continue;
-      best = Difference{1 / h, first / h, first};
-      if (!reachable(2) || !is_known_[at(2)]) continue;
-      const double second = seen_from(side, at(2));
-      if (second <= first) best = Difference{1.5 / h, (2 * first - 0.5 * second) / h, first};
-    }
-    return best;
+  void update(std::size_t node) {
+    UpwindEikonal<D> eikonal;
+    const auto sides = sides_of(node);
+    for (int axis = 0; axis < D; ++axis) add_upwind(node, axis, sides, eikonal);
+    const double found = eikonal.solve();
+    if (!(found <= band_mm_) || (state_of(node) == trial && found >= distance(node))) return;
+    phi_[node] = static_cast<float>(sign_ * found);
+    set_state(node, trial);
+    buckets_[std::min(static_cast<std::size_t>(found / width_mm_), buckets_.size() - 1)].push_back(node);
   }
 
-  double solve(std::size_t node) const {
-    const auto position = phi_.position_of(node);
-    std::vector<Difference>& used = used_;
-    used.clear();
-    for (int axis = 0; axis < D; ++axis)
-      if (const auto difference = upwind_difference(node, axis, position[axis])) used.push_back(*difference);
-    std::sort(used.begin(), used.end(),
-              [](const Difference& a, const Difference& b) { return a.neighbour < b.neighbour; });
-    // An axis whose neighbour is farther than the solution is not upwind: solve again without it.
-    for (; !used.empty(); used.pop_back()) {
-      double a = 0, b = 0, c = -1;
-      for (const Difference& d : used) {
-        a += d.slope * d.slope;
-        b += d.slope * d.offset;
-        c += d.offset * d.offset;
-      }
-      const double discriminant = b * b - a * c;
-      if (discriminant < 0) continue;
-      const double distance = (b + std::sqrt(discriminant)) / a;
-      if (distance >= used.back().neighbour) return distance;
+  void add_upwind(std::size_t node, int axis, typename Lattice<D>::Sides sides, UpwindEikonal<D>& eikonal) const {
+    const std::ptrdiff_t stride = lattice_.stride[axis];
+    const bool before = (sides & lattice_.before(axis)) && state_of(lattice_.moved(node, -stride)) >= known;
+    const bool after = (sides & lattice_.after(axis)) && state_of(lattice_.moved(node, stride)) >= known;
+    if (!before && !after) return;
+    const std::ptrdiff_t step =
+        before && (!after || sign_ * phi_[lattice_.moved(node, -stride)] <= sign_ * phi_[lattice_.moved(node, stride)])
+            ? -stride
+            : stride;
+    const std::size_t next = lattice_.moved(node, step);
+    const double h = lattice_.spacing_mm[axis], first = distance(next);
+    if (sides_of(next) & (step < 0 ? lattice_.before(axis) : lattice_.after(axis))) {
+      const std::size_t behind = lattice_.moved(next, step);
+      // Across the curve every node of a pair is beside it.
+      const bool is_known = !is_mine(behind) || state_of(behind) >= known;
+      if (is_known && distance(behind) <= first) return eikonal.add(h, first, distance(behind));
     }
-    return infinity;
+    eikonal.add(h, first);
   }
 
-  Field<D>& phi_;
+  float* const phi_;
+  const Lattice<D>& lattice_;
+  States& state_;
   const double band_mm_;
-  std::vector<double> distance_;  ///< unsigned
-  std::vector<char> is_known_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front_;  ///< ties by node: one order on every machine
-  mutable std::vector<Difference> used_;
+  const double sign_;
+  const double width_mm_;
+  std::vector<std::vector<std::size_t>> buckets_;  ///< trial nodes by distance; outdated entries are skipped
 };
+
+/// The states before marching.
+template <int D>
+States states_of(const Lattice<D>& lattice, std::size_t count, const std::vector<std::size_t>& beside) {
+  States state(count, far);
+  const std::size_t length = lattice.size[0];
+  for (std::size_t first = 0; first < count; first += length) {
+    const bool is_inner_line = length > 2 && lattice.sides_of(first + 1) == Lattice<D>::all_sides;
+    if (is_inner_line)
+      state[first] = state[first + length - 1] = border;
+    else
+      std::fill_n(state.begin() + static_cast<std::ptrdiff_t>(first), length, border);
+  }
+  for (const std::size_t node : beside) state[node] |= beside_curve;
+  return state;
+}
 
 }  // namespace
 
 template <int D>
 void redistance(Field<D>& phi, double band_mm) {
-  Marcher<D>(phi, band_mm).run();
+  redistance(phi, band_mm, nodes_beside_curve(phi, Lattice<D>(phi)));
+}
+
+template <int D>
+void redistance(Field<D>& phi, double band_mm, const std::vector<std::size_t>& beside) {
+  const Lattice<D> lattice(phi);
+  set_distances_beside_curve(phi, lattice, beside);
+  States state = states_of(lattice, phi.values.size(), beside);
+  Marcher<D> inner(phi, lattice, state, band_mm, true), outer(phi, lattice, state, band_mm, false);
+  constexpr std::size_t worth_a_thread = 20000;
+  if (beside.size() > worth_a_thread) {
+    tbb::parallel_invoke([&] { inner.run(beside); }, [&] { outer.run(beside); });
+  } else {
+    inner.run(beside);
+    outer.run(beside);
+  }
+  const auto band = static_cast<float>(band_mm);
+  Pieces{phi.values.size(), 1 << 18}.for_each([&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t node = first; node < last; ++node) {
+      float& value = phi.values[node];
+      if ((state[node] & ~border) < known) value = is_inside(value) ? band : -band;
+      value = std::clamp(value, -band, band);
+    }
+  });
 }
 
 template void redistance(Field<2>&, double);
 template void redistance(Field<3>&, double);
+template void redistance(Field<2>&, double, const std::vector<std::size_t>&);
+template void redistance(Field<3>&, double, const std::vector<std::size_t>&);
 
 }  // namespace isostack

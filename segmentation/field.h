@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "recon/geometry/slice.h"
@@ -18,7 +20,7 @@ struct Field {
 
   Position size{};
   std::array<double, D> spacing_mm{};
-  std::vector<double> values;
+  std::vector<float> values;
 
   double smallest_spacing_mm() const { return *std::min_element(spacing_mm.begin(), spacing_mm.end()); }
 
@@ -58,16 +60,28 @@ struct Field {
   }
 };
 
+/// A field that is read by several owners, for instance the image behind the terms of one evolution: copies of the
+/// handle share the values.
+template <int D>
+class SharedField {
+ public:
+  SharedField(Field<D> field) : field_(std::make_shared<const Field<D>>(std::move(field))) {}
+  const Field<D>& operator*() const { return *field_; }
+  const Field<D>* operator->() const { return field_.get(); }
+
+ private:
+  std::shared_ptr<const Field<D>> field_;
+};
+
 inline Field<2> field_of(const Image<float>& image, const Eigen::Vector2d& spacing_mm) {
   Field<2> field{{static_cast<int>(image.cols()), static_cast<int>(image.rows())},
                  {spacing_mm.x(), spacing_mm.y()},
-                 std::vector<double>(static_cast<std::size_t>(image.size()))};
-  std::copy(image.data(), image.data() + image.size(), field.values.begin());
+                 {image.data(), image.data() + image.size()}};
   return field;
 }
 
 inline Image<float> image_of(const Field<2>& field) {
-  return Eigen::Map<const Image<double>>(field.values.data(), field.size[1], field.size[0]).cast<float>();
+  return Eigen::Map<const Image<float>>(field.values.data(), field.size[1], field.size[0]);
 }
 
 }  // namespace isostack

@@ -13,30 +13,40 @@ struct LevelSetOptions {
   int max_steps = 100;                                           ///< at most this many steps
   double max_time_mm = std::numeric_limits<double>::infinity();  ///< stop exactly at this time
   double tolerance_pixels = 1e-3;  ///< stop when the curve's RMS movement in one step falls below; 0: never
-  double band_pixels = 6;          ///< φ is evolved up to this distance from the curve
+  double band_pixels = 6;          ///< the result is a distance up to here; tracing contours needs no more than 2
   double cfl = 0.8;                ///< share of the largest stable time step, in (0, 1]
 };
 
-enum class LevelSetStop { converged, max_steps, max_time, no_curve };
+enum class LevelSetStop {
+  converged,  ///< the curve rests within the tolerance
+  max_steps,
+  max_time,
+  vanished,   ///< no node is inside (any more)
+  flooded,    ///< no node is outside (any more)
+  not_finite  ///< a term gave NaN or infinity next to the curve; phi is that before the step
+};
 
 template <int D>
 struct LevelSetResult {
-  Field<D> phi;  ///< signed distance in mm, positive inside, ±(band + 2 pixels) beyond the band
+  Field<D> phi;  ///< signed distance in mm, positive inside, ± the band beyond it
   int steps = 0;
   double time_mm = 0;
   double rms_change_pixels = 0;                ///< RMS movement of the curve in the last step
-  LevelSetStop stop = LevelSetStop::no_curve;  ///< why it stopped; no_curve: φ has one sign everywhere
+  LevelSetStop stop = LevelSetStop::vanished;  ///< why it stopped
 };
 
-/// Evolves φ_t = |∇φ| F (Breen et al. 2001, eq. 5) where F is the sum of the terms, from the zero set of `phi`
-/// (inside where phi >= 0, any scale). Explicit steps in a narrow band: Godunov's upwind scheme for propagation with
-/// the speed at the closest point of the curve, central differences for curvature, step bounded by the CFL
-/// condition; φ is made a signed distance again (fast marching) whenever a value has changed by a pixel.
-/// The curve moves, so a term does not make new curves away from it. Serial and deterministic.
+/// Evolves φ_t = |∇φ| F (Breen et al. 2001, eq. 5), F = Σ weight · term, from the zero set of `phi` (inside where
+/// phi >= 0, any scale), by a sparse field (Whitaker 1998): F is computed at the nodes next to the curve only and
+/// carried along the normal to two layers of neighbours; the step is bounded by the CFL condition. φ stays a distance
+/// because it changes by the curve's own movement (∇F·∇φ = 0, Adalsteinsson and Sethian 1999), and nodes the curve
+/// comes near to, or that have changed by a pixel, get theirs anew from Godunov's second-order upwind scheme for |∇φ|
+/// = 1. The curve moves, so a term does not make new curves away from it. The result is the same on any number of
+/// threads. Memory: two 4-byte values per node besides the terms' images, and about 40 bytes per node of the band.
+/// Throws InputError on spacings that are not positive and on values that are not finite in `phi`.
 template <int D>
-LevelSetResult<D> evolve(Field<D> phi, const std::vector<SpeedTerm<D>*>& terms, const LevelSetOptions& options = {});
+LevelSetResult<D> evolve(Field<D> phi, const std::vector<WeightedTerm<D>>& terms, const LevelSetOptions& options = {});
 
-extern template LevelSetResult<2> evolve(Field<2>, const std::vector<SpeedTerm<2>*>&, const LevelSetOptions&);
-extern template LevelSetResult<3> evolve(Field<3>, const std::vector<SpeedTerm<3>*>&, const LevelSetOptions&);
+extern template LevelSetResult<2> evolve(Field<2>, const std::vector<WeightedTerm<2>>&, const LevelSetOptions&);
+extern template LevelSetResult<3> evolve(Field<3>, const std::vector<WeightedTerm<3>>&, const LevelSetOptions&);
 
 }  // namespace isostack

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+
+#include "recon/constraints/surface_lean.h"
 
 namespace isostack {
 
@@ -65,11 +68,18 @@ double correct_for_oblique_cuts(const Eigen::Matrix3Xd& gradients_at_samples, co
                                 ContourConstraints& constraints) {
   // Below this a plane nearly touches the surface and its contour says little about the distance.
   constexpr double least_factor = 0.1;
+  constexpr double smoothing_pixels = 2.5;  // wider than the steps of contours traced from labels
+  double pixel_mm = std::numeric_limits<double>::infinity();
+  for (const ContourSlice& slice : stack.slices) pixel_mm = std::min(pixel_mm, slice.pose.spacing_mm.minCoeff());
+  const Eigen::Index samples = gradients_at_samples.cols();
+  Eigen::Matrix3Xd plane_normals(3, samples);
+  for (Eigen::Index i = 0; i < samples; ++i)
+    plane_normals.col(i) = stack.slices[constraints.samples[static_cast<std::size_t>(i)].slice].pose.normal();
+  const Eigen::VectorXd lean = smoothed_lean(gradients_at_samples, constraints.constraints.points.leftCols(samples),
+                                             plane_normals, smoothing_pixels * pixel_mm);
   double largest_change = 0;
   for (const ContourConstraints::Partner& partner : constraints.partners) {
-    const SlicePose& pose = stack.slices[constraints.samples[static_cast<std::size_t>(partner.sample)].slice].pose;
-    const Eigen::Vector3d normal = gradients_at_samples.col(partner.sample).stableNormalized();
-    const double across = normal.dot(pose.normal());
+    const double across = lean[partner.sample];
     const double factor = std::clamp(std::sqrt(std::max(0.0, 1 - across * across)), least_factor, 1.0);
     double& value = constraints.constraints.values[partner.constraint];
     largest_change = std::max(largest_change, std::abs(factor - value / partner.in_plane_distance_mm));

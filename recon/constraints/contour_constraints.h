@@ -33,7 +33,7 @@ ContourConstraints signed_constraints(const ContourStack& stack, const std::vect
                                       const ContourConstraintOptions& options);
 
 /// Where a plane cuts the surface obliquely the distance to the contour is not the distance to the
-/// surface. With the unit normals n of an earlier solution (gradients at the samples, 3 × samples)
+/// surface. With the unit normals n of an earlier solution (gradients at the samples, 3 × samples; smoothed_lean)
 /// the partners' values become in-plane distance · |n projected onto the plane|.
 /// Returns the largest change of that factor.
 double correct_for_oblique_cuts(const Eigen::Matrix3Xd& gradients_at_samples, const ContourStack& stack,

@@ -15,6 +15,7 @@ using Eigen::Vector2d;
 /// A contour with the measures the thinning needs, one entry per point.
 struct MeasuredContour {
   std::size_t slice;
+  std::size_t index;  ///< among the slice's contours
   const Contour* contour;
   double pixel_mm;
   std::vector<Vector2d> inward;
@@ -45,8 +46,10 @@ double circumradius(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return twice_area > 0 ? sides / (2 * twice_area) : 1e6;
 }
 
-MeasuredContour measured(const Contour& contour, std::size_t slice, double pixel_mm) {
-  MeasuredContour result{slice, &contour, pixel_mm, {}, {}, {}};
+MeasuredContour measured(const ContourSlice& on, std::size_t slice, std::size_t index) {
+  const Contour& contour = on.contours[index];
+  const double pixel_mm = on.pose.spacing_mm.minCoeff();
+  MeasuredContour result{slice, index, &contour, pixel_mm, {}, {}, {}};
   const auto& points = contour.points_mm;
   const double length = perimeter_mm(contour);
   const double tangent_reach = std::min(pixel_mm, length / 8);
@@ -92,7 +95,7 @@ void append_samples(const MeasuredContour& contour, const Thinning& thinning, st
   double credit = per_sample;  // the first point is always kept
   for (std::size_t i = 0; i < n; ++i) {
     if (credit >= per_sample * (1 - 1e-9)) {
-      samples.push_back({contour.slice, contour.contour->points_mm[i], contour.inward[i]});
+      samples.push_back({contour.slice, contour.index, contour.contour->points_mm[i], contour.inward[i]});
       credit -= per_sample;
     }
     credit += samples_due(contour, i, thinning);
@@ -110,9 +113,8 @@ std::size_t total_samples(const std::vector<MeasuredContour>& contours, const Th
 std::vector<ContourSample> sample_contours(const ContourStack& stack, const ContourSamplingOptions& options) {
   std::vector<MeasuredContour> contours;
   for (std::size_t s = 0; s < stack.slices.size(); ++s)
-    for (const Contour& contour : stack.slices[s].contours)
-      if (contour.points_mm.size() >= 3)
-        contours.push_back(measured(contour, s, stack.slices[s].pose.spacing_mm.minCoeff()));
+    for (std::size_t c = 0; c < stack.slices[s].contours.size(); ++c)
+      if (stack.slices[s].contours[c].points_mm.size() >= 3) contours.push_back(measured(stack.slices[s], s, c));
   if (contours.size() * 3 > options.max_samples)
     throw SolveError(stack.name.empty() ? "contours" : stack.name,
                      std::to_string(contours.size()) + " contours do not fit into " +

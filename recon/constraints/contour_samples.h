@@ -10,7 +10,8 @@ namespace isostack {
 
 /// A contour point kept as a boundary constraint.
 struct ContourSample {
-  std::size_t slice = 0;  ///< index into the stack
+  std::size_t slice = 0;    ///< index into the stack
+  std::size_t contour = 0;  ///< index into the slice's contours
   Eigen::Vector2d point_in_slice_mm;
   Eigen::Vector2d inward;  ///< unit normal in slice coordinates, towards the organ
 };

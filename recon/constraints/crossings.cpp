@@ -81,10 +81,6 @@ std::optional<SlicePair> compare(const ContourStack& stack, std::size_t first, s
   return organ_is_near ? std::optional(std::move(pair)) : std::nullopt;
 }
 
-bool share_a_plane(const ContourSlice& a, const ContourSlice& b, double pixel_mm) {
-  return are_parallel(a.pose, b.pose) && std::abs(a.pose.signed_distance_mm(b.pose.origin_mm)) < 0.1 * pixel_mm;
-}
-
 /// Largest distance of a contour point of `a` within b's field of view from b's contours.
 double farthest_mm(const ContourSlice& a, const ContourSlice& b, const Eigen::AlignedBox3d& box) {
   const Eigen::AlignedBox2d view = field_of_view(b, box);
@@ -100,7 +96,7 @@ double farthest_mm(const ContourSlice& a, const ContourSlice& b, const Eigen::Al
 /// Throws GeometryError when the slices show the same plane, but not the same organ.
 void require_same_contours_in_same_plane(const ContourSlice& a, const ContourSlice& b, const Eigen::AlignedBox3d& box) {
   const double pixel_mm = std::max(a.pose.spacing_mm.maxCoeff(), b.pose.spacing_mm.maxCoeff());
-  if (!share_a_plane(a, b, pixel_mm)) return;
+  if (!in_one_plane(a.pose, b.pose, 0.1 * pixel_mm)) return;
   const double apart_mm = std::max(farthest_mm(a, b, box), farthest_mm(b, a, box));
   if (apart_mm <= pixel_mm) return;
   const std::string by = std::isfinite(apart_mm) ? fmt::format("contours up to {:.1f} mm apart", apart_mm)

@@ -23,6 +23,18 @@ struct Segment {
 struct LabelMap {
   std::vector<LabelVolume> layers;
   std::vector<Segment> segments;
+  std::vector<std::string> warnings = {};  ///< what a user must know before trusting the map
 };
+
+/// Every organ: the map's segments, then the values that no segment names, each with its number as its name.
+std::vector<Segment> all_segments(const LabelMap& map);
+
+/// Adds the voxels of `mask` that are not 0 as an organ, in the first layer where it overlaps no other, or in a new
+/// one. The mask lies on the map's grid; segment.layer is set here and segment.value is one that no layer holds yet.
+void add_segment(LabelMap& map, const LabelVolume& mask, Segment segment);
+
+/// The map with one layer: where organs overlap, the later layer has the voxel. `overlapping_voxels`, if given,
+/// becomes the number of voxels that were in several.
+LabelMap flattened(LabelMap map, std::size_t* overlapping_voxels = nullptr);
 
 }  // namespace isostack

@@ -50,4 +50,8 @@ bool are_parallel(const SlicePose& a, const SlicePose& b, double angle_rad) {
   return a.normal().cross(b.normal()).norm() < std::sin(angle_rad);
 }
 
+bool in_one_plane(const SlicePose& a, const SlicePose& b, double distance_mm) {
+  return are_parallel(a, b) && std::abs(a.signed_distance_mm(b.origin_mm)) < distance_mm;
+}
+
 }  // namespace isostack

@@ -35,4 +35,7 @@ SlicePose checked_pose(SlicePose pose, const std::string& where);
 /// True when the two planes' normals differ by less than `angle_rad`, ignoring their sign.
 bool are_parallel(const SlicePose& a, const SlicePose& b, double angle_rad = 1e-3);
 
+/// True when the planes are parallel and b's origin is less than `distance_mm` from a's plane.
+bool in_one_plane(const SlicePose& a, const SlicePose& b, double distance_mm);
+
 }  // namespace isostack

@@ -4,13 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
 #include <random>
-#include <unsupported/Eigen/BVH>
 
 #include "recon/geometry/errors.h"
+#include "recon/metrics/closest_point.h"
 #include "recon/metrics/point_triangle.h"
 #include "recon/metrics/quantile.h"
 
@@ -18,27 +15,11 @@ namespace isostack {
 
 namespace {
 
-using Box = Eigen::AlignedBox3d;
-using Tree = Eigen::KdBVH<double, 3, int>;
-
 Triangle corners_of(const TriangleMesh& mesh, int triangle) {
   const Eigen::Vector3i& t = mesh.triangles[static_cast<std::size_t>(triangle)];
   const auto& v = mesh.vertices_mm;
   return {v[static_cast<std::size_t>(t[0])], v[static_cast<std::size_t>(t[1])], v[static_cast<std::size_t>(t[2])]};
 }
-
-/// What Eigen's tree asks for: squared distances from the point to boxes and triangles.
-struct ClosestTriangle {
-  using Scalar = double;
-  const TriangleMesh& mesh;
-  Eigen::Vector3d point;
-  // NOLINTBEGIN(readability-identifier-naming): Eigen calls them so.
-  double minimumOnVolume(const Box& box) const { return box.squaredExteriorDistance(point); }
-  double minimumOnObject(int triangle) const {
-    return (closest_point_on_triangle(corners_of(mesh, triangle), point) - point).squaredNorm();
-  }
-  // NOLINTEND(readability-identifier-naming)
-};
 
 void require_triangles(const TriangleMesh& mesh) {
   if (mesh.triangles.empty())
@@ -48,18 +29,10 @@ void require_triangles(const TriangleMesh& mesh) {
 }  // namespace
 
 std::vector<double> distances_to_mesh_mm(const std::vector<Eigen::Vector3d>& points_mm, const TriangleMesh& mesh) {
-  require_triangles(mesh);
-  std::vector<int> triangles(mesh.triangles.size());
-  std::iota(triangles.begin(), triangles.end(), 0);
-  std::vector<Box> boxes(triangles.size());
-  for (std::size_t n = 0; n < boxes.size(); ++n)
-    for (const int v : mesh.triangles[n]) boxes[n].extend(mesh.vertices_mm[static_cast<std::size_t>(v)]);
-  const Tree tree(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
+  const ClosestPoint closest(mesh);
   std::vector<double> distances(points_mm.size());
-  tbb::parallel_for(std::size_t{0}, points_mm.size(), [&](std::size_t i) {
-    ClosestTriangle query{mesh, points_mm[i]};
-    distances[i] = std::sqrt(Eigen::BVMinimize(tree, query));
-  });
+  tbb::parallel_for(std::size_t{0}, points_mm.size(),
+                    [&](std::size_t i) { distances[i] = (closest.on_mesh(points_mm[i]) - points_mm[i]).norm(); });
   return distances;
 }
 

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <memory>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "recon/geometry/errors.h"
 #include "recon/surface/cell_polygons.h"
+#include "recon/surface/cut_field.h"
 #include "recon/surface/lattice.h"
 #include "recon/surface/root_finding.h"
 
@@ -16,48 +17,6 @@ namespace isostack {
 namespace {
 
 using Key = Lattice::Key;
-
-/// Distance to the nearest of the bounds, positive within all of them, and the way in.
-struct Depth {
-  double mm;
-  Eigen::Vector3d inwards;
-};
-
-Depth depth_within_bounds(const ExtractionOptions& options, const Eigen::Vector3d& p) {
-  Depth depth{std::numeric_limits<double>::infinity(), Eigen::Vector3d::Zero()};
-  const auto consider = [&](double mm, const Eigen::Vector3d& inwards) {
-    if (mm < depth.mm) depth = {mm, inwards};
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    consider(p[axis] - options.bounds.min()[axis], Eigen::Vector3d::Unit(axis));
-    consider(options.bounds.max()[axis] - p[axis], -Eigen::Vector3d::Unit(axis));
-  }
-  for (const auto& half_space : options.half_spaces) consider(half_space.signedDistance(p), half_space.normal());
-  return depth;
-}
-
-/// min(f, depth within the bounds): its zero set is closed wherever f's leaves the bounds.
-ScalarField cut_to_bounds(const ScalarField& field, const ExtractionOptions& options, bool& was_cut) {
-  ScalarField cut;
-  cut.values = [&field, &options, &was_cut](const Eigen::Matrix3Xd& points) {
-    Eigen::VectorXd values = field.values(points);
-    for (Eigen::Index i = 0; i < values.size(); ++i) {
-      const double depth = depth_within_bounds(options, points.col(i)).mm;
-      was_cut = was_cut || (depth < 0 && values[i] >= 0);
-      values[i] = std::min(values[i], depth);
-    }
-    return values;
-  };
-  cut.gradients = [&field, &options](const Eigen::Matrix3Xd& points) {
-    Eigen::Matrix3Xd gradients = field.gradients(points);
-    for (Eigen::Index i = 0; i < points.cols(); ++i) {  // asked for at vertices: near a bound they lie on it
-      const Depth depth = depth_within_bounds(options, points.col(i));
-      if (depth.mm < 1e-3 * options.resolution_mm) gradients.col(i) = depth.inwards;
-    }
-    return gradients;
-  };
-  return cut;
-}
 
 bool is_crossed(const std::array<double, 8>& values) {
   const auto inside = [](double value) { return value >= 0; };
@@ -176,13 +135,16 @@ class MeshBuilder {
   std::vector<std::vector<int>> centres_;
 };
 
-std::size_t count_untouched(const Lattice& lattice, const std::vector<Eigen::Vector3d>& seeds_mm,
-                            const std::vector<Key>& crossed) {
+std::vector<std::size_t> untouched(const Lattice& lattice, const std::vector<Eigen::Vector3d>& seeds_mm,
+                                   const std::vector<Key>& crossed) {
   const std::unordered_set<Key> crossed_set(crossed.begin(), crossed.end());
-  return static_cast<std::size_t>(std::count_if(seeds_mm.begin(), seeds_mm.end(), [&](const Eigen::Vector3d& seed) {
-    const std::vector<Key> cells = cells_around(lattice, seed);
-    return std::none_of(cells.begin(), cells.end(), [&](Key cell) { return crossed_set.contains(cell); });
-  }));
+  std::vector<std::size_t> seeds;
+  for (std::size_t i = 0; i < seeds_mm.size(); ++i) {
+    const std::vector<Key> cells = cells_around(lattice, seeds_mm[i]);
+    if (std::none_of(cells.begin(), cells.end(), [&](Key cell) { return crossed_set.contains(cell); }))
+      seeds.push_back(i);
+  }
+  return seeds;
 }
 
 }  // namespace
@@ -190,8 +152,9 @@ std::size_t count_untouched(const Lattice& lattice, const std::vector<Eigen::Vec
 ExtractedSurface extract_surface(const ScalarField& field, const std::vector<Eigen::Vector3d>& seeds_mm,
                                  const ExtractionOptions& options, const Progress& progress) {
   ExtractedSurface result;
-  bool bounds_reached = false;
-  const ScalarField cut_field = cut_to_bounds(field, options, bounds_reached);
+  const auto was_cut = std::make_shared<bool>(false);
+  const ScalarField cut_field =
+      cut_to_bounds(field, {options.bounds, options.half_spaces, 1e-3 * options.resolution_mm}, was_cut);
   Lattice lattice(options.bounds, options.resolution_mm);
   const std::vector<Key> crossed = follow_surface(lattice, cut_field, seeds_mm, progress);
   if (crossed.empty())
@@ -202,8 +165,8 @@ ExtractedSurface extract_surface(const ScalarField& field, const std::vector<Eig
   for (const Key cell : crossed) builder.add_cell(cell);
   progress.report("surface", 0.85);
   result.mesh = builder.finish(cut_field, options.vertex_tolerance);
-  result.seeds_without_surface = count_untouched(lattice, seeds_mm, crossed);
-  result.cut_by_bounds = bounds_reached;
+  result.seeds_without_surface = untouched(lattice, seeds_mm, crossed);
+  result.cut_by_bounds = *was_cut;
   progress.report("surface", 1.0);
   return result;
 }

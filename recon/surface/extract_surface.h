@@ -18,9 +18,10 @@ struct ExtractionOptions {
 };
 
 struct ExtractedSurface {
-  TriangleMesh mesh;                      ///< closed, 2-manifold, outward, with normals from ∇f
-  std::size_t seeds_without_surface = 0;  ///< seeds with no crossed cell around them: structures below the resolution
-  bool cut_by_bounds = false;             ///< part of the surface is the box
+  TriangleMesh mesh;  ///< closed, 2-manifold, outward, with normals from ∇f
+  /// Indices of seeds with no crossed cell around them: structures below the resolution.
+  std::vector<std::size_t> seeds_without_surface;
+  bool cut_by_bounds = false;  ///< part of the surface is the box
 };
 
 /// The zero set of f that passes near the seeds (Bloomenthal 1994): starts at the cells round the

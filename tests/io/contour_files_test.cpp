@@ -23,6 +23,8 @@ std::vector<ContourStack> two_organs() {
   std::vector<ContourStack> organs(2);
   organs[0].name = "liver \"left\"";
   organs[1].name = "kidney";
+  organs[0].color = Color{200, 10, 255};
+  organs[0].roi_type = "ORGAN";
   for (ContourStack& organ : organs)
     for (int k = 0; k < 3; ++k) {
       ContourSlice& slice = organ.slices.emplace_back();
@@ -49,6 +51,8 @@ TEST_P(ContourFiles, RoundTripKeepsEverything) {
   ASSERT_EQ(read.size(), 2u);
   for (std::size_t organ = 0; organ < 2; ++organ) {
     EXPECT_EQ(read[organ].name, written[organ].name);
+    EXPECT_EQ(read[organ].color, written[organ].color);
+    EXPECT_EQ(read[organ].roi_type, written[organ].roi_type);
     ASSERT_EQ(read[organ].slices.size(), 3u);
     for (std::size_t k = 0; k < 3; ++k) {
       const ContourSlice &a = written[organ].slices[k], &b = read[organ].slices[k];

@@ -37,6 +37,17 @@ TEST(DicomSeries, ObliqueSlicesComeBackWhereTheyWere) {
   expect_pixels_at_their_place(read, place_tolerance);
 }
 
+TEST(DicomSeries, GantryTiltShearsNothing) {
+  const TemporaryFolder folder;
+  const double shear = std::tan(18.5 * std::numbers::pi / 180);
+  write_dicom_series(oblique_stack({0, 1, 5, 12}, {0, shear}), folder.path());
+  const SliceStack read = read_slices(folder.path());
+  expect_pixels_at_their_place(read, place_tolerance);
+  EXPECT_TRUE(has_warning(read.warnings, "gantry tilt: the slices are stacked at 18.5 degrees"));
+  EXPECT_TRUE(has_warning(read.warnings, "uneven gaps: 1 x 1.00 mm, 1 x 4.00 mm, 1 x 7.00 mm"));
+  EXPECT_NEAR(inspect(folder.path()).front().tilt_deg, 18.5, 1e-6);  // positions of 10 digits
+}
+
 TEST(DicomSeries, OrderFollowsPositionsNotNumbersOrNames) {
   const TemporaryFolder folder;
   write_dicom_series(oblique_stack({6, 0, 2, 4}), folder.path());
@@ -217,9 +228,26 @@ TEST(DicomSeriesRealData, TiltedHeadTellsTiltAndGaps) {
 TEST(DicomSeriesRealData, BadSeriesAreRefusedOrTold) {
   const auto path = shared_data() / "bad_dicom";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no shared data";
-  EXPECT_THROW(read_slices(path / "notavolume"), GeometryError);
+  EXPECT_NE(message_of([&] { read_slices(path / "notavolume"); }).find("4 slices lie at 1 place(s), up to 4 at one"),
+            std::string::npos);
+  EXPECT_EQ(read_slices(path / "notavolume", {.phase = 4}).slices.front().name, "004.dcm");
+  EXPECT_TRUE(has_warning(read_slices(path / "slicecount").warnings, "few slices: 2"));
   EXPECT_TRUE(has_warning(read_slices(path / "sliceincrement").warnings, "missing slices: "));
   EXPECT_TRUE(has_warning(read_slices(path / "gantrytilting").warnings, "gantry tilt: the slices are stacked at 14.0"));
+}
+
+TEST(DicomSeriesRealData, HeartOfTwoPhasesIsOneSceneForEach) {
+  const auto path = shared_data() / "cardiac_mr/dicom";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no shared data";
+  EXPECT_NE(message_of([&] { read_slices(path, {.series = "all"}); }).find("told apart by TriggerTime"),
+            std::string::npos);
+  const SliceStack diastole = read_slices(path / "frame_000", {.series = "all"});
+  const SliceStack first = read_slices(path, {.series = "all", .phase = 1});
+  ASSERT_EQ(first.slices.size(), 11u);
+  for (std::size_t i = 0; i < 11; ++i) {
+    EXPECT_EQ(first.slices[i].pose.origin_mm, diastole.slices[i].pose.origin_mm);
+    EXPECT_TRUE((first.slices[i].pixels == diastole.slices[i].pixels).all());
+  }
 }
 
 }  // namespace

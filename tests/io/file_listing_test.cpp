@@ -18,7 +18,7 @@ TEST(FileListing, EqualNumbersOfOtherLengthHaveOneOrder) {
   EXPECT_NE(natural_less("a01", "a1"), natural_less("a1", "a01"));
 }
 
-TEST(FileListing, SkipsLinksAndGoesDownOnlyWhenAsked) {
+TEST(FileListing, FollowsLinksToFilesNotToFoldersAndGoesDownOnlyWhenAsked) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "below");
   write_bytes(folder / "2.txt", "");
@@ -26,11 +26,13 @@ TEST(FileListing, SkipsLinksAndGoesDownOnlyWhenAsked) {
   write_bytes(folder / "below/1.txt", "");
   std::filesystem::create_symlink(folder.path(), folder / "loop");
   std::filesystem::create_symlink(folder / "2.txt", folder / "3.txt");
+  std::filesystem::create_symlink(folder / "nowhere.txt", folder / "4.txt");
   const auto here = files_in(folder.path(), Depth::kThisFolder);
-  ASSERT_EQ(here.size(), 2u);
+  ASSERT_EQ(here.size(), 3u);
   EXPECT_EQ(here[0].filename(), "2.txt");
-  EXPECT_EQ(here[1].filename(), "10.txt");
-  EXPECT_EQ(files_in(folder.path(), Depth::kAllBelow).size(), 3u);
+  EXPECT_EQ(here[1].filename(), "3.txt");
+  EXPECT_EQ(here[2].filename(), "10.txt");
+  EXPECT_EQ(files_in(folder.path(), Depth::kAllBelow).size(), 4u);
 }
 
 }  // namespace

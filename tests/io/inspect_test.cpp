@@ -40,13 +40,13 @@ TEST(Inspect, DicomSeriesIsMeasured) {
   EXPECT_TRUE(has_warning(series.warnings, "uneven gaps: 2 x 2.00 mm, 1 x 5.00 mm"));
 }
 
-TEST(Inspect, DamagedAndUnusableFilesAreToldNotThrown) {
+TEST(Inspect, DamagedFilesAndRepetitionsAreToldNotThrown) {
   const TemporaryFolder folder;
   write_dicom_series(oblique_stack({0, 2, 2}), folder.path());
   std::filesystem::resize_file(folder / "slice_0001.dcm", 900);
   const auto found = inspect(folder.path());
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_TRUE(has_warning(found[0].warnings, "unusable: "));
+  EXPECT_TRUE(has_warning(found[0].warnings, "repeated positions: "));
   EXPECT_EQ(found[1].kind, "DICOM damaged");
   EXPECT_TRUE(has_warning(found[1].warnings, "slice_0001.dcm: "));
 }

@@ -55,7 +55,7 @@ TEST(SignedConstraints, BoundaryIsZeroAndPartnersAreSignedDistances) {
 
 TEST(SignedConstraints, PartnersComeNearerWhereTheOrganIsThin) {
   const ContourStack stack = one_slice({{.points_mm = {{0, 0}, {20, 0}, {40, 0}, {40, 1.2}, {20, 1.2}, {0, 1.2}}}});
-  const std::vector<ContourSample> samples = {{0, {20, 0}, {0, 1}}};  // the middle of the long side of a 1.2 mm band
+  const std::vector<ContourSample> samples = {{0, 0, {20, 0}, {0, 1}}};  // the middle of the long side of a 1.2 mm band
   const ContourConstraints made = signed_constraints(stack, samples, {.offset_pixels = 1});
   ASSERT_EQ(made.partners.size(), 2u);
   EXPECT_NEAR(made.partners[0].in_plane_distance_mm, 0.5, 1e-12);  // 1 mm further in is 0.2 mm from the other side
@@ -64,7 +64,7 @@ TEST(SignedConstraints, PartnersComeNearerWhereTheOrganIsThin) {
 
 TEST(SignedConstraints, DropsAPartnerThatFindsNoRoom) {
   const ContourStack stack = one_slice({{.points_mm = {{0, 0}, {20, 0}, {40, 0}, {40, 0.05}, {20, 0.05}, {0, 0.05}}}});
-  const ContourConstraints made = signed_constraints(stack, {{0, {20, 0}, {0, 1}}}, {.offset_pixels = 1});
+  const ContourConstraints made = signed_constraints(stack, {{0, 0, {20, 0}, {0, 1}}}, {.offset_pixels = 1});
   ASSERT_EQ(made.partners.size(), 1u);
   EXPECT_LT(made.partners[0].in_plane_distance_mm, 0);
 }

@@ -56,7 +56,7 @@ TEST(Redistance, ObliqueLineIsExact) {
     const double exact = 15.3 - Eigen::Vector2d(at[0], at[1] * 0.8).dot(normal);
     // At the border some nodes have no upwind neighbour to see the line through: compare inside.
     if (std::abs(exact) < 5 && at[0] > 6 && at[0] < 23 && at[1] > 6 && at[1] < 23) {
-      EXPECT_NEAR(phi.values[node], exact, 1e-9);
+      EXPECT_NEAR(phi.values[node], exact, 1e-4);  // float values
     }
   }
 }
@@ -66,8 +66,8 @@ TEST(Redistance, StepKeepsItsCrossings) {
   auto phi = field_from<2>({20, 5}, {1, 1}, [](const auto& p) { return p.x() < 10 ? 1 : p.x() == 10 ? 0.25 : -1; });
   redistance(phi, 4);
   const double inner = phi.values[phi.node_at({10, 2})], outer = phi.values[phi.node_at({11, 2})];
-  EXPECT_NEAR(inner, 0.2, 1e-12);  // 0.25 / (0.25 + 1)
-  EXPECT_NEAR(outer, -0.8, 1e-12);
+  EXPECT_NEAR(inner, 0.2, 1e-6);  // 0.25 / (0.25 + 1)
+  EXPECT_NEAR(outer, -0.8, 1e-6);
 }
 
 TEST(Redistance, BallInThreeDimensions) {
@@ -86,7 +86,7 @@ TEST(Redistance, BallInThreeDimensions) {
 TEST(Redistance, WithoutZeroSetEverythingIsTheBand) {
   auto phi = field_from<2>({4, 3}, {1, 1}, [](const auto&) { return -0.3; });
   redistance(phi, 5);
-  for (double value : phi.values) EXPECT_EQ(value, -5);
+  for (float value : phi.values) EXPECT_EQ(value, -5);
 }
 
 TEST(Redistance, ExactZerosCountAsInside) {
@@ -94,8 +94,8 @@ TEST(Redistance, ExactZerosCountAsInside) {
   redistance(phi, 3);
   EXPECT_EQ(phi.values[phi.node_at({4, 4})], 0);
   EXPECT_FALSE(std::signbit(phi.values[phi.node_at({4, 4})]));
-  EXPECT_NEAR(phi.values[phi.node_at({5, 4})], -1, 1e-12);
-  EXPECT_NEAR(phi.values[phi.node_at({2, 4})], 2, 1e-12);
+  EXPECT_NEAR(phi.values[phi.node_at({5, 4})], -1, 1e-6);
+  EXPECT_NEAR(phi.values[phi.node_at({2, 4})], 2, 1e-6);
 }
 
 }  // namespace

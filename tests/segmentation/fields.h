@@ -20,7 +20,7 @@ Field<D> field_from(const std::array<int, D>& size, const std::array<double, D>&
     const auto position = field.position_of(node);
     Eigen::Matrix<double, D, 1> p;
     for (int axis = 0; axis < D; ++axis) p[axis] = position[axis] * spacing_mm[axis];
-    field.values[node] = value(p);
+    field.values[node] = static_cast<float>(value(p));
   }
   return field;
 }

@@ -24,7 +24,7 @@ Field<2> disc_field(double radius, const std::array<double, 2>& spacing_mm = {1,
 /// A disc of grey value 100 on 20 whose edge is blurred over about a pixel; 60 lies on the radius.
 Field<2> disc_image(double radius, const std::array<double, 2>& spacing_mm = {1, 1}) {
   auto image = disc_field(radius, spacing_mm);
-  for (double& value : image.values) value = 60 + 40 * std::tanh(value / 1.3);
+  for (float& value : image.values) value = 60 + 40 * std::tanh(value / 1.3f);
   return image;
 }
 
@@ -79,7 +79,7 @@ TEST(LevelSet, CurveLeavesTheFieldOfViewStraight) {
     return field_from<2>({40, 64}, {1, 1}, [=](const auto& p) { return radius - std::hypot(p.x() + 3, p.y() - 31.7); });
   };
   auto image = cut_disc(20);
-  for (double& value : image.values) value = std::tanh(value / 1.3);
+  for (float& value : image.values) value = std::tanh(value / 1.3f);
   IsosurfaceTerm<2> isosurface(image, 0, 1);
   const auto result = evolve<2>(cut_disc(12), {&isosurface}, {});
   const auto contours = contours_of(result.phi);
@@ -154,7 +154,7 @@ TEST(LevelSet, SaysWhyItStopped) {
 
   ConstantTerm<2> erode(-1);
   const auto gone = evolve<2>(disc_field(3), {&erode}, {});
-  EXPECT_EQ(gone.stop, LevelSetStop::no_curve);
+  EXPECT_EQ(gone.stop, LevelSetStop::vanished);
   EXPECT_LT(*std::max_element(gone.phi.values.begin(), gone.phi.values.end()), 0);
 }
 
@@ -163,7 +163,7 @@ class AreaTerm : public SpeedTerm<2> {
  public:
   explicit AreaTerm(double area_mm2) : area_mm2_(area_mm2) {}
   void prepare(const Field<2>& phi) override {
-    const auto inside = std::count_if(phi.values.begin(), phi.values.end(), [](double value) { return value >= 0; });
+    const auto inside = std::count_if(phi.values.begin(), phi.values.end(), [](float value) { return value >= 0; });
     speed_ = std::clamp((area_mm2_ - static_cast<double>(inside)) / 50, -1.0, 1.0);
   }
   double propagation(std::size_t) const override { return speed_; }

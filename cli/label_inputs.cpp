@@ -1,0 +1,137 @@
+#include "cli/label_inputs.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "io/dicom_seg.h"
+#include "io/volume_files.h"
+#include "recon/geometry/errors.h"
+#include "segmentation/segment.h"
+
+namespace isostack::cli {
+
+namespace {
+
+/// The label inputs as one scene: slices of all their grids, without values.
+struct LabelScene {
+  std::vector<LabelMap> maps;
+  SliceStack stack;
+};
+
+LabelScene read_scene(const InputOptions& options, Session& session) {
+  LabelScene scene;
+  for (const std::filesystem::path& path : options.paths) {
+    session.progress().report("read", 0);
+    scene.maps.push_back(read_labels(path));
+    for (const std::string& warning : scene.maps.back().warnings) session.note(warning);
+    const std::string name = path.filename().string();
+    if (scene.stack.name.empty()) scene.stack.name = name;
+    for (Slice& slice : slices_of(Volume<float>(scene.maps.back().layers.front().grid), name))
+      scene.stack.slices.push_back(std::move(slice));
+  }
+  return scene;
+}
+
+/// Gives the scene's pixels the value 1 where the organ is, 0 elsewhere.
+void show_organ(const std::string& name, const std::vector<std::vector<Segment>>& segments, LabelScene& scene) {
+  std::size_t first_slice = 0;
+  for (std::size_t m = 0; m < scene.maps.size(); ++m) {
+    const Grid& grid = scene.maps[m].layers.front().grid;
+    for (int k = 0; k < grid.size.z(); ++k) {
+      float* pixels = scene.stack.slices[first_slice + static_cast<std::size_t>(k)].pixels.data();
+      const std::size_t begin = grid.offset(0, 0, k), end = grid.offset(0, 0, k + 1);
+      std::fill(pixels, pixels + (end - begin), 0.0f);
+      for (const Segment& segment : segments[m]) {
+        if (segment.name != name) continue;
+        const std::vector<std::uint16_t>& voxels = scene.maps[m].layers[segment.layer].voxels;
+        for (std::size_t i = begin; i < end; ++i)
+          if (voxels[i] == segment.value) pixels[i - begin] = 1;
+      }
+    }
+    first_slice += static_cast<std::size_t>(grid.size.z());
+  }
+}
+
+bool is_shown(const SliceStack& stack) {
+  return std::any_of(stack.slices.begin(), stack.slices.end(),
+                     [](const Slice& slice) { return (slice.pixels != 0).any(); });
+}
+
+/// One entry per map. Not every map has to hold a wanted organ, but one must.
+std::vector<std::vector<Segment>> segments_of_maps(const LabelScene& scene, const std::string& label,
+                                                   const InputOptions& options) {
+  std::vector<std::vector<Segment>> segments;
+  std::size_t found = 0;
+  for (std::size_t m = 0; m < scene.maps.size(); ++m) {
+    const bool is_last_chance = m + 1 == scene.maps.size() && found == 0;
+    try {
+      segments.push_back(segments_asked_for(scene.maps[m], label, options.paths[m].string()));
+    } catch (const InputError&) {
+      if (is_last_chance) throw;
+      segments.emplace_back();
+    }
+    found += segments.back().size();
+  }
+  return segments;
+}
+
+/// Names in order of their first appearance, with a colour where any map has one.
+std::vector<ContourStack> organs_named_in(const std::vector<std::vector<Segment>>& segments) {
+  std::vector<ContourStack> organs;
+  for (const std::vector<Segment>& of_map : segments)
+    for (const Segment& segment : of_map) {
+      auto same = std::find_if(organs.begin(), organs.end(), [&](const auto& o) { return o.name == segment.name; });
+      if (same == organs.end()) same = organs.insert(organs.end(), ContourStack{.name = segment.name, .slices = {}});
+      if (!same->color) same->color = segment.color;
+    }
+  return organs;
+}
+
+}  // namespace
+
+bool holds_named_organs(const std::filesystem::path& path) {
+  return path.filename().string().ends_with(".seg.nrrd") || is_dicom_seg(path);
+}
+
+std::vector<Segment> segments_asked_for(const LabelMap& map, const std::string& label, const std::string& where) {
+  const std::vector<Segment> all = all_segments(map);
+  const auto kept = [&](auto is_wanted) {
+    std::vector<Segment> wanted;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(wanted), is_wanted);
+    return wanted;
+  };
+  std::vector<Segment> wanted = label == "all" ? all : kept([&](const Segment& s) { return s.name == label; });
+  if (wanted.empty()) wanted = kept([&](const Segment& s) { return std::to_string(s.value) == label; });
+  if (!wanted.empty()) return wanted;
+  std::vector<std::string> listed;
+  for (const Segment& s : all)
+    listed.push_back(s.name == std::to_string(s.value) ? s.name : fmt::format("{} ({})", s.value, s.name));
+  throw InputError(where, label == "all" ? "it has no labels" : fmt::format("no voxel has label {}", label),
+                   listed.empty() ? "give an image with labels, this one has none"
+                                  : fmt::format("choose one of the labels present: {}", fmt::join(listed, ", ")));
+}
+
+std::vector<ContourStack> organs_in_labels(const InputOptions& options, Session& session) {
+  LabelScene scene = read_scene(options, session);
+  const std::string label = options.label.empty() ? "all" : options.label;
+  const std::vector<std::vector<Segment>> segments = segments_of_maps(scene, label, options);
+  const LabelOptions tracing{.fill_holes = options.segmentation.fill_holes, .largest = options.segmentation.largest};
+  std::vector<ContourStack> organs;
+  for (ContourStack& organ : organs_named_in(segments)) {
+    show_organ(organ.name, segments, scene);
+    const SliceStack chosen = chosen_slices(scene.stack, options);
+    if (!is_shown(chosen)) {
+      session.note(fmt::format("{}: no voxel on the slices used; it is left out", organ.name));
+      continue;
+    }
+    organ.slices = trace_label(chosen, 1, tracing, session.progress()).slices;
+    organs.push_back(std::move(organ));
+  }
+  if (organs.empty())
+    throw InputError(scene.stack.name, "no slice that is used shows the organ", "use more slices or another --label");
+  return organs;
+}
+
+}  // namespace isostack::cli

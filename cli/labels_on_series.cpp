@@ -1,0 +1,33 @@
+#include "cli/labels_on_series.h"
+
+#include <algorithm>
+
+#include "cli/label_inputs.h"
+#include "io/series_planes.h"
+#include "io/volume_files.h"
+#include "segmentation/label_sections.h"
+
+namespace isostack::cli {
+
+bool are_labels_for_series(const InputOptions& input, const LikeOptions& like) {
+  if (like.series.empty() || !input.level.empty() || input.organ.has_rule()) return false;
+  const bool names_labels =
+      !input.label.empty() || std::all_of(input.paths.begin(), input.paths.end(), holds_named_organs);
+  return names_labels && std::all_of(input.paths.begin(), input.paths.end(), may_hold_labels);
+}
+
+std::vector<ContourStack> labels_on_series(const InputOptions& input, const LikeOptions& like, Session& session) {
+  const std::vector<ContourSlice> planes = series_planes(write_options_for(like, input));
+  const LabelOptions tracing{.fill_holes = input.segmentation.fill_holes, .largest = input.segmentation.largest};
+  std::vector<ContourStack> organs;
+  for (const std::filesystem::path& path : input.paths) {
+    const LabelMap labels = read_labels(path);
+    for (const std::string& warning : labels.warnings) session.note(warning);
+    const auto segments = segments_asked_for(labels, input.label.empty() ? "all" : input.label, path.string());
+    auto found = label_sections(labels, segments, planes, tracing, session.progress());
+    std::move(found.begin(), found.end(), std::back_inserter(organs));
+  }
+  return organs;
+}
+
+}  // namespace isostack::cli

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "cli/input_options.h"
+
+namespace isostack::cli {
+
+/// Organs in grey images by the options' rules and steps; their signed distances go to the options' distance file if it
+/// has one. Notes what a user should look at: slices where an organ ends by a leak or is cut by the field of view.
+std::vector<ContourStack> segment_images(const SliceStack& stack, const InputOptions& options, Session& session);
+
+}  // namespace isostack::cli

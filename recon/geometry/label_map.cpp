@@ -1,0 +1,91 @@
+#include "recon/geometry/label_map.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace isostack {
+
+namespace {
+
+constexpr std::size_t value_count = 1 << 16;
+
+std::vector<bool> values_in(const LabelVolume& layer) {
+  std::vector<bool> present(value_count);
+  std::uint16_t last = 0;  // labels come in runs
+  for (const std::uint16_t value : layer.voxels)
+    if (value != last) present[last = value] = true;
+  return present;
+}
+
+bool overlaps(const LabelVolume& layer, const LabelVolume& mask) {
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+    if (mask.voxels[i] != 0 && layer.voxels[i] != 0) return true;
+  return false;
+}
+
+/// A value of the one layer for each segment: its own where no earlier one has it.
+std::vector<std::uint16_t> distinct_values(const std::vector<Segment>& segments) {
+  std::vector<bool> taken(value_count);
+  std::vector<std::uint16_t> values;
+  for (const Segment& segment : segments) {
+    std::size_t value = segment.value;
+    for (std::size_t next = 1; taken[value] && next < value_count; ++next)
+      if (!taken[next]) value = next;
+    taken[value] = true;
+    values.push_back(static_cast<std::uint16_t>(value));
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<Segment> all_segments(const LabelMap& map) {
+  std::vector<Segment> segments = map.segments;
+  for (std::size_t layer = 0; layer < map.layers.size(); ++layer) {
+    std::vector<bool> unnamed = values_in(map.layers[layer]);
+    for (const Segment& segment : map.segments)
+      if (segment.layer == layer) unnamed[segment.value] = false;
+    for (std::size_t value = 1; value < value_count; ++value)
+      if (unnamed[value])
+        segments.push_back({.name = std::to_string(value), .value = static_cast<std::uint16_t>(value), .layer = layer});
+  }
+  return segments;
+}
+
+void add_segment(LabelMap& map, const LabelVolume& mask, Segment segment) {
+  const auto free = std::find_if(map.layers.begin(), map.layers.end(),
+                                 [&](const LabelVolume& layer) { return !overlaps(layer, mask); });
+  segment.layer = static_cast<std::size_t>(free - map.layers.begin());
+  if (free == map.layers.end()) map.layers.emplace_back(mask.grid);
+  LabelVolume& layer = map.layers[segment.layer];
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+    if (mask.voxels[i] != 0) layer.voxels[i] = segment.value;
+  map.segments.push_back(std::move(segment));
+}
+
+LabelMap flattened(LabelMap map, std::size_t* overlapping_voxels) {
+  if (overlapping_voxels) *overlapping_voxels = 0;
+  if (map.layers.size() < 2) return map;
+  LabelMap flat{.layers = {LabelVolume(map.layers.front().grid)}, .segments = all_segments(map)};
+  flat.warnings = std::move(map.warnings);
+  const std::vector<std::uint16_t> values = distinct_values(flat.segments);
+  std::vector<std::uint16_t>& voxels = flat.layers.front().voxels;
+  for (std::size_t layer = 0; layer < map.layers.size(); ++layer) {
+    std::vector<std::uint16_t> value_for(value_count);
+    for (std::size_t s = 0; s < values.size(); ++s)
+      if (flat.segments[s].layer == layer) value_for[flat.segments[s].value] = values[s];
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+      const std::uint16_t value = value_for[map.layers[layer].voxels[i]];
+      if (value == 0) continue;
+      if (voxels[i] != 0 && overlapping_voxels) ++*overlapping_voxels;
+      voxels[i] = value;
+    }
+  }
+  for (std::size_t s = 0; s < values.size(); ++s) {
+    flat.segments[s].layer = 0;
+    flat.segments[s].value = values[s];
+  }
+  return flat;
+}
+
+}  // namespace isostack

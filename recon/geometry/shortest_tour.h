@@ -1,0 +1,13 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace isostack {
+
+/// A short closed tour through all points, each once: their order along the loop that they were taken from, when they
+/// lie on it densely. The tour does not cross itself, and does not depend on the order the points come in.
+/// Points at one place are visited one after the other. Time grows with about the square of their number.
+std::vector<Eigen::Vector2d> shortest_tour(std::vector<Eigen::Vector2d> points);
+
+}  // namespace isostack
