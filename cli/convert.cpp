@@ -9,6 +9,7 @@
 #include "cli/input_options.h"
 #include "cli/label_outputs.h"
 #include "cli/like_options.h"
+#include "cli/retriangulation.h"
 #include "io/contour_files.h"
 #include "io/formats.h"
 #include "io/read_mesh.h"
@@ -26,6 +27,7 @@ struct ConvertCommand {
   InputOptions input;
   std::filesystem::path output;
   LikeOptions like;
+  RetriangulationOptions retriangulation;  ///< of meshes
   std::string axes = "lps", input_axes = "lps";
 
   const std::filesystem::path& path() const { return input.paths.front(); }
@@ -83,14 +85,20 @@ void cut_mesh(const TriangleMesh& mesh, const ConvertCommand& command) {
   write_contours({organ}, command.output, write_options(command));
 }
 
-void convert_mesh(const ConvertCommand& command) {
-  const TriangleMesh mesh = read_mesh(command.path(), command.input_axes == "ras" ? MeshAxes::ras : MeshAxes::lps);
+void convert_mesh(const ConvertCommand& command, Session& session) {
+  TriangleMesh mesh = read_mesh(command.path(), command.input_axes == "ras" ? MeshAxes::ras : MeshAxes::lps);
   const bool as_contours = find_format(command.output, &Format::write_contours) && !command.like.series.empty();
   if (as_contours) return cut_mesh(mesh, command);
   if (!find_format(command.output, &Format::write_mesh))
     throw_other_kind(
         command, "a mesh",
         "use .stl, .ply, .obj, .vtp, .gltf or .glb, or give --like SERIES to cut it on that series' planes");
+  if (command.retriangulation.any()) {
+    RetriangulationReport report;
+    mesh = retriangulate(mesh, command.retriangulation, report, nullptr, session.progress());
+    session.result["retriangulation"] = to_json(report);
+    session.text += to_text(report);
+  }
   write_mesh(mesh, command.output, write_options(command));
 }
 
@@ -122,7 +130,7 @@ void run_convert(const ConvertCommand& command, Session& session) {
       convert_contours(command, session);
       break;
     case InputKind::kMesh:
-      convert_mesh(command);
+      convert_mesh(command, session);
       break;
     case InputKind::kLabels:
       convert_labels(command, session);
@@ -156,6 +164,7 @@ void add_convert(CLI::App& app, Session& session) {
       ->type_name("OUT");
   add_like_options(*command, options->like);
   add_axes(*command, *options);
+  add_retriangulation_options(*command, options->retriangulation);
   command->callback([options, &session] { session.run = [options, &session] { run_convert(*options, session); }; });
 }
 

@@ -61,12 +61,9 @@ nlohmann::json to_json(const ReconstructReport& report) {
 }
 
 nlohmann::json to_json(const SliceAgreement& agreement) {
-  nlohmann::json result = {{"dice", agreement.dice},
-                           {"slices", agreement.slices},
-                           {"one_sided_slices", agreement.one_sided},
-                           {"mean_distance_mm", nullptr},
-                           {"percentile95_distance_mm", nullptr},
-                           {"largest_distance_mm", nullptr}};
+  nlohmann::json result = {
+      {"dice", agreement.dice},      {"slices", agreement.slices},          {"one_sided_slices", agreement.one_sided},
+      {"mean_distance_mm", nullptr}, {"percentile95_distance_mm", nullptr}, {"largest_distance_mm", nullptr}};
   if (!agreement.has_distances) return result;
   result["mean_distance_mm"] = agreement.mean_mm;
   result["percentile95_distance_mm"] = agreement.percentile95_mm;
@@ -99,8 +96,9 @@ nlohmann::json to_json(const ContourStack& organ) {
     areas.push_back(area_mm2);
     if (touches_border(slice)) cut.push_back(&slice - organ.slices.data());
   }
-  return {{"name", organ.name},   {"slices", organ.slices.size()}, {"slices_with_contour", slices_with_contour},
-          {"contours", contours}, {"points", point_count(organ)},  {"area_mm2", areas}, {"cut_by_field_of_view", cut}};
+  return {{"name", organ.name},         {"slices", organ.slices.size()}, {"slices_with_contour", slices_with_contour},
+          {"contours", contours},       {"points", point_count(organ)},  {"area_mm2", areas},
+          {"cut_by_field_of_view", cut}};
 }
 
 std::string to_text(const MeshMeasures& measures) {

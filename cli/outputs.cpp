@@ -26,8 +26,8 @@ bool writes_labels(const std::filesystem::path& path, DicomOutput dicom) {
 
 void require_writable(const std::filesystem::path& output, OutputPurpose purpose, DicomOutput dicom) {
   const bool known = writes_labels(output, dicom) || (purpose == OutputPurpose::kContoursOrLabels
-                                                   ? find_format(output, &Format::write_contours) != nullptr
-                                                   : find_format(output, &Format::write_mesh) != nullptr);
+                                                          ? find_format(output, &Format::write_contours) != nullptr
+                                                          : find_format(output, &Format::write_mesh) != nullptr);
   if (!known) throw_unknown_extension(output, "this output", allowed_extensions(purpose));
   const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
   if (!std::filesystem::is_directory(folder))

@@ -5,11 +5,12 @@
 
 namespace isostack::cli {
 
-/// Throws InputError before any work is done when an output could not be written at the end: its
-/// folder is missing or the extension is not one of those `purpose` allows.
 /// What a .dcm output holds; --as says so.
 enum class DicomOutput { kStructureSet, kSegmentation };
 enum class OutputPurpose { kContoursOrLabels, kSurfaceOrLabels };
+
+/// Throws InputError before any work is done when an output could not be written at the end: its
+/// folder is missing or the extension is not one of those `purpose` allows.
 void require_writable(const std::filesystem::path& output, OutputPurpose purpose,
                       DicomOutput dicom = DicomOutput::kStructureSet);
 

@@ -87,7 +87,8 @@ std::vector<Reconstruction> reconstruct_inputs(const ReconstructCommand& command
     surfaces.push_back(reconstruct_turk_obrien(images, level_of(command.input), options, session.progress()));
     return surfaces;
   }
-  const std::vector<ContourStack> organs = aligned(drawn_organs_from(command.input, session), command.alignment, session);
+  const std::vector<ContourStack> organs =
+      aligned(drawn_organs_from(command.input, session), command.alignment, session);
   for (const ContourStack& organ : organs) session.result["organs"].push_back(to_json(organ));
   if (command.kernel == "auto") choose_kernel(organs, options, session);
   return reconstruct_all(organs, options, session.progress());
@@ -247,8 +248,9 @@ void add_reconstruct(CLI::App& app, Session& session) {
   add_surface_options(*command, *options);
   add_retriangulation_options(*command, options->options.retriangulation);
   command
-      ->add_option("-o,--output", options->outputs,
-                   "Surface (.stl, .ply, .obj, .vtp, .gltf, .glb) or labels (.nii, .nii.gz, .nrrd, .mha); may be repeated")
+      ->add_option(
+          "-o,--output", options->outputs,
+          "Surface (.stl, .ply, .obj, .vtp, .gltf, .glb) or labels (.nii, .nii.gz, .nrrd, .mha); may be repeated")
       ->required()
       ->type_name("OUT");
   command->add_option("--grid", options->grid, "Volume whose grid label output uses (default: the input's)")

@@ -49,8 +49,8 @@ void run_segment(const SegmentCommand& command, Session& session) {
   const DicomOutput dicom = command.as == "seg" ? DicomOutput::kSegmentation : DicomOutput::kStructureSet;
   require_writable(command.output, OutputPurpose::kContoursOrLabels, dicom);
   const bool cuts_labels = !writes_labels(command.output, dicom) && are_labels_for_series(command.input, command.like);
-  const std::vector<ContourStack> organs = cuts_labels ? labels_on_series(command.input, command.like, session)
-                                                       : organs_from(command.input, session);
+  const std::vector<ContourStack> organs =
+      cuts_labels ? labels_on_series(command.input, command.like, session) : organs_from(command.input, session);
   if (writes_labels(command.output, dicom)) {
     const WriteOptions options = write_options_for(command.like, command.input);
     write_organ_labels(labels_of(organs, command.input, options), command.output, options, session);

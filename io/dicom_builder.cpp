@@ -72,7 +72,11 @@ std::string decimal_string(double value, int most_digits) {
 }
 
 std::string uid_from(std::string_view text) {
-  std::uint64_t high = hash_of(text, 0xcbf29ce484222325), low = hash_of(text, high ^ 0x9e3779b97f4a7c15);
+  const std::uint64_t high = hash_of(text, 0xcbf29ce484222325);
+  return uid_from(high, hash_of(text, high ^ 0x9e3779b97f4a7c15));
+}
+
+std::string uid_from(std::uint64_t high, std::uint64_t low) {
   high = (high & ~0xf000ull) | 0x8000;                    // version 8: made by other means
   low = (low & 0x3fffffffffffffff) | 0x8000000000000000;  // variant of RFC 9562
   return fmt::format("2.25.{}", (static_cast<unsigned __int128>(high) << 64) | low);

@@ -31,8 +31,9 @@ class DataSetBuilder {
 /// DS of one number: at most 16 characters, at most `most_digits` after the point, no useless zeros.
 std::string decimal_string(double value, int most_digits = 10);
 
-/// A UID under "2.25." that follows from the text (DICOM PS3.5, B.2).
+/// A UID under "2.25." that follows from the text (DICOM PS3.5, B.2), or from 128 bits.
 std::string uid_from(std::string_view text);
+std::string uid_from(std::uint64_t high, std::uint64_t low);
 
 /// Writes an uncompressed file, which appears whole or not at all; SOP class and instance are those of the data set.
 /// Texts longer than 65534 bytes need the encoding without explicit VRs. Throws InputError naming the file when it

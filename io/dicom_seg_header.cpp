@@ -27,11 +27,10 @@ const gdcm::Tag pixel_data(0x7fe0, 0x0010);
 }
 
 std::optional<Color> color_of(const gdcm::DataSet& data) {
-  const gdcm::Tag tag(0x0062, 0x000d);
-  const gdcm::ByteValue* value = data.FindDataElement(tag) ? data.GetDataElement(tag).GetByteValue() : nullptr;
+  const std::string_view value = dicom_bytes(data, 0x0062000d);
   DicomLab lab;
-  if (!value || value->GetLength() < sizeof(lab)) return std::nullopt;
-  std::memcpy(lab.data(), value->GetPointer(), sizeof(lab));
+  if (value.size() < sizeof(lab)) return std::nullopt;
+  std::memcpy(lab.data(), value.data(), sizeof(lab));
   return color_from_lab(lab);
 }
 
@@ -123,9 +122,7 @@ SegmentationHeader read_segmentation_header(const std::filesystem::path& path) {
   const gdcm::DataSet& data = reader.GetFile().GetDataSet();
   header.type = type_of(data, where);
   header.fractional_maximum = static_cast<int>(dicom_uint16(data, 0x0062000e).value_or(255));
-  if (is_deflated && data.FindDataElement(pixel_data))
-    if (const gdcm::ByteValue* pixels = data.GetDataElement(pixel_data).GetByteValue())
-      header.plain_pixels.assign(pixels->GetPointer(), pixels->GetLength());
+  if (is_deflated) header.plain_pixels = dicom_bytes(data, 0x7fe00010);
   require_plausible_pixels(header);
   read_segments(data, header);
   header.image.frame_parts = read_frame_parts(data, header.image);

@@ -45,6 +45,11 @@ std::string dicom_text(const gdcm::DataSet& data, DicomTag tag) {
   return result;
 }
 
+std::string_view dicom_bytes(const gdcm::DataSet& data, DicomTag tag) {
+  const gdcm::ByteValue* value = value_of(data, tag);
+  return value ? std::string_view(value->GetPointer(), value->GetLength()) : std::string_view();
+}
+
 std::vector<double> dicom_numbers(const gdcm::DataSet& data, DicomTag tag) {
   std::vector<double> result;
   std::istringstream parts(dicom_text(data, tag));

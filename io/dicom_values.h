@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gdcm {
@@ -16,6 +17,9 @@ using DicomTag = std::uint32_t;
 
 /// The text of an element without padding; empty when it is missing.
 std::string dicom_text(const gdcm::DataSet& data, DicomTag tag);
+
+/// The bytes of an element as they are; empty when it is missing.
+std::string_view dicom_bytes(const gdcm::DataSet& data, DicomTag tag);
 
 /// Decimal or integer strings, separated by backslashes; empty when any of them is not a number.
 std::vector<double> dicom_numbers(const gdcm::DataSet& data, DicomTag tag);

@@ -38,7 +38,7 @@ struct Format {
   void (*write_labels)(const LabelMap&, const Path&, const WriteOptions&) = nullptr;
   bool labels_may_overlap = false;  ///< of written labels: more than one layer
   void (*write_mesh)(const TriangleMesh&, const Path&) = nullptr;
-  bool prescribes_axes = false;  ///< of meshes: the format itself says where up is
+  bool prescribes_axes = false;   ///< of meshes: the format itself says where up is
   bool says_every_plane = false;  ///< of written contours: an organ without any on a plane is absent there
   void (*write_contours)(const std::vector<ContourStack>&, const Path&, const WriteOptions&) = nullptr;
 };

@@ -22,8 +22,8 @@ void check_sizes(const VolumeHeader& header, const VoxelFile& voxels, const std:
   if (missing)
     throw InputError(where, "the voxel file " + voxels.path.filename().string() + " is missing",
                      "put it beside the header");
-  const double claimed = static_cast<double>(header.grid.voxel_count()) * bytes_of_type(header.value_type) *
-                         header.components;
+  const double claimed =
+      static_cast<double>(header.grid.voxel_count()) * bytes_of_type(header.value_type) * header.components;
   const double possible =
       voxels.compressed ? file_bytes * most_compression : file_bytes - static_cast<double>(voxels.offset_bytes);
   if (claimed > possible)

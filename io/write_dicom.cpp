@@ -1,14 +1,11 @@
 #include "io/write_dicom.h"
 
 #include <fmt/format.h>
-#include <gdcmUIDs.h>
-#include <gdcmWriter.h>
 
 #include <cmath>
 #include <vector>
 
-#include "io/atomic_file.h"
-#include "io/gdcm_setup.h"
+#include "io/dicom_builder.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack {
@@ -25,75 +22,49 @@ std::uint64_t mixed(std::uint64_t seed) {
   return seed ^ (seed >> 31);
 }
 
-/// "2.25." and a UUID as one decimal number (DICOM PS3.5, B.2). `what` tells the UIDs of a seed apart.
+/// `what` tells the UIDs of a seed apart.
 std::string uid_for(std::uint64_t seed, std::uint64_t what) {
-  std::uint64_t high = mixed(mixed(seed) ^ (2 * what)), low = mixed(mixed(seed) ^ (2 * what + 1));
-  high = (high & ~0xf000ull) | 0x8000;                    // version 8: made by other means
-  low = (low & 0x3fffffffffffffff) | 0x8000000000000000;  // variant of RFC 9562
-  return fmt::format("2.25.{}", (static_cast<unsigned __int128>(high) << 64) | low);
+  return uid_from(mixed(mixed(seed) ^ (2 * what)), mixed(mixed(seed) ^ (2 * what + 1)));
 }
 enum UidPurpose : std::uint64_t { kStudy, kSeries, kFrameOfReference, kFirstInstance };
 
-/// A data set under construction.
-class DataSetBuilder {
- public:
-  void text(std::uint16_t group, std::uint16_t element, gdcm::VR::VRType vr, std::string value) {
-    if (value.size() % 2 != 0) value += vr == gdcm::VR::UI ? '\0' : ' ';
-    add(group, element, vr, value.data(), value.size());
-  }
-  void number(std::uint16_t group, std::uint16_t element, std::uint16_t value) {
-    add(group, element, gdcm::VR::US, reinterpret_cast<const char*>(&value), sizeof(value));
-  }
-  /// Decimal strings hold at most 16 characters each.
-  void decimals(std::uint16_t group, std::uint16_t element, std::initializer_list<double> values) {
-    std::string joined;
-    for (const double value : values) joined += fmt::format("{}{:.10g}", joined.empty() ? "" : "\\", value);
-    text(group, element, gdcm::VR::DS, joined);
-  }
-  void add(std::uint16_t group, std::uint16_t element, gdcm::VR::VRType vr, const char* bytes, std::size_t size) {
-    gdcm::DataElement data(gdcm::Tag(group, element), 0, vr);
-    data.SetByteValue(bytes, static_cast<std::uint32_t>(size));
-    data_.Replace(data);
-  }
-  const gdcm::DataSet& result() const { return data_; }
-
- private:
-  gdcm::DataSet data_;
-};
+void add_decimals(const gdcm::Tag& tag, std::initializer_list<double> values, DataSetBuilder& data) {
+  data.text(tag, gdcm::VR::DS, fmt::format("{:.10g}", fmt::join(values, "\\")));
+}
 
 void add_patient_and_study(const DicomSeriesOptions& options, DataSetBuilder& data) {
-  data.text(0x0010, 0x0010, gdcm::VR::PN, "PHANTOM");
-  data.text(0x0010, 0x0020, gdcm::VR::LO, "PHANTOM");
-  data.text(0x0010, 0x0030, gdcm::VR::DA, "");  // birth date
-  data.text(0x0010, 0x0040, gdcm::VR::CS, "");  // sex
-  data.text(0x0020, 0x000d, gdcm::VR::UI, uid_for(options.seed, kStudy));
-  data.text(0x0008, 0x0020, gdcm::VR::DA, "");  // study date
-  data.text(0x0008, 0x0030, gdcm::VR::TM, "");  // study time
-  data.text(0x0008, 0x0090, gdcm::VR::PN, "");  // referring physician
-  data.text(0x0020, 0x0010, gdcm::VR::SH, "");  // study id
-  data.text(0x0008, 0x0050, gdcm::VR::SH, "");  // accession number
+  data.text({0x0010, 0x0010}, gdcm::VR::PN, "PHANTOM");
+  data.text({0x0010, 0x0020}, gdcm::VR::LO, "PHANTOM");
+  data.text({0x0010, 0x0030}, gdcm::VR::DA, "");  // birth date
+  data.text({0x0010, 0x0040}, gdcm::VR::CS, "");  // sex
+  data.text({0x0020, 0x000d}, gdcm::VR::UI, uid_for(options.seed, kStudy));
+  data.text({0x0008, 0x0020}, gdcm::VR::DA, "");  // study date
+  data.text({0x0008, 0x0030}, gdcm::VR::TM, "");  // study time
+  data.text({0x0008, 0x0090}, gdcm::VR::PN, "");  // referring physician
+  data.text({0x0020, 0x0010}, gdcm::VR::SH, "");  // study id
+  data.text({0x0008, 0x0050}, gdcm::VR::SH, "");  // accession number
 }
 
 void add_series(const DicomSeriesOptions& options, DataSetBuilder& data) {
-  data.text(0x0008, 0x0060, gdcm::VR::CS, "CT");
-  data.text(0x0020, 0x000e, gdcm::VR::UI, uid_for(options.seed, kSeries));
-  data.text(0x0020, 0x0011, gdcm::VR::IS, std::to_string(options.series_number));
-  data.text(0x0008, 0x103e, gdcm::VR::LO, options.description.substr(0, 64));
-  data.text(0x0018, 0x5100, gdcm::VR::CS, "HFS");
-  data.text(0x0020, 0x0052, gdcm::VR::UI, uid_for(options.seed, kFrameOfReference));
-  data.text(0x0020, 0x1040, gdcm::VR::LO, "");  // position reference
-  data.text(0x0008, 0x0070, gdcm::VR::LO, "isostack");
+  data.text({0x0008, 0x0060}, gdcm::VR::CS, "CT");
+  data.text({0x0020, 0x000e}, gdcm::VR::UI, uid_for(options.seed, kSeries));
+  data.text({0x0020, 0x0011}, gdcm::VR::IS, std::to_string(options.series_number));
+  data.text({0x0008, 0x103e}, gdcm::VR::LO, options.description.substr(0, 64));
+  data.text({0x0018, 0x5100}, gdcm::VR::CS, "HFS");
+  data.text({0x0020, 0x0052}, gdcm::VR::UI, uid_for(options.seed, kFrameOfReference));
+  data.text({0x0020, 0x1040}, gdcm::VR::LO, "");  // position reference
+  data.text({0x0008, 0x0070}, gdcm::VR::LO, "isostack");
 }
 
 void add_plane(const SlicePose& pose, const DicomSeriesOptions& options, DataSetBuilder& data) {
   const Eigen::Vector3d &o = pose.origin_mm, &x = pose.x_axis, &y = pose.y_axis;
-  data.decimals(0x0020, 0x0032, {o.x(), o.y(), o.z()});
-  data.decimals(0x0020, 0x0037, {x.x(), x.y(), x.z(), y.x(), y.y(), y.z()});
-  data.decimals(0x0028, 0x0030, {pose.spacing_mm.y(), pose.spacing_mm.x()});  // distance between rows first
+  add_decimals({0x0020, 0x0032}, {o.x(), o.y(), o.z()}, data);
+  add_decimals({0x0020, 0x0037}, {x.x(), x.y(), x.z(), y.x(), y.y(), y.z()}, data);
+  add_decimals({0x0028, 0x0030}, {pose.spacing_mm.y(), pose.spacing_mm.x()}, data);  // distance between rows first
   if (options.slice_thickness_mm)
-    data.decimals(0x0018, 0x0050, {*options.slice_thickness_mm});
+    add_decimals({0x0018, 0x0050}, {*options.slice_thickness_mm}, data);
   else
-    data.text(0x0018, 0x0050, gdcm::VR::DS, "");
+    data.text({0x0018, 0x0050}, gdcm::VR::DS, "");
 }
 
 std::vector<std::int16_t> stored_values(const Slice& slice, const DicomSeriesOptions& options) {
@@ -111,59 +82,46 @@ std::vector<std::int16_t> stored_values(const Slice& slice, const DicomSeriesOpt
 }
 
 void add_pixels(const Slice& slice, const DicomSeriesOptions& options, DataSetBuilder& data) {
-  data.number(0x0028, 0x0002, 1);
-  data.text(0x0028, 0x0004, gdcm::VR::CS, "MONOCHROME2");
-  data.number(0x0028, 0x0010, static_cast<std::uint16_t>(slice.pixels.rows()));
-  data.number(0x0028, 0x0011, static_cast<std::uint16_t>(slice.pixels.cols()));
-  data.number(0x0028, 0x0100, 16);
-  data.number(0x0028, 0x0101, 16);
-  data.number(0x0028, 0x0102, 15);
-  data.number(0x0028, 0x0103, 1);
-  data.decimals(0x0028, 0x1052, {options.rescale_intercept});
-  data.decimals(0x0028, 0x1053, {options.rescale_slope});
+  data.number({0x0028, 0x0002}, 1);
+  data.text({0x0028, 0x0004}, gdcm::VR::CS, "MONOCHROME2");
+  data.number({0x0028, 0x0010}, static_cast<std::uint16_t>(slice.pixels.rows()));
+  data.number({0x0028, 0x0011}, static_cast<std::uint16_t>(slice.pixels.cols()));
+  data.number({0x0028, 0x0100}, 16);
+  data.number({0x0028, 0x0101}, 16);
+  data.number({0x0028, 0x0102}, 15);
+  data.number({0x0028, 0x0103}, 1);
+  add_decimals({0x0028, 0x1052}, {options.rescale_intercept}, data);
+  add_decimals({0x0028, 0x1053}, {options.rescale_slope}, data);
   const std::vector<std::int16_t> stored = stored_values(slice, options);
-  data.add(0x7fe0, 0x0010, gdcm::VR::OW, reinterpret_cast<const char*>(stored.data()), stored.size() * 2);
+  data.bytes({0x7fe0, 0x0010}, gdcm::VR::OW, {reinterpret_cast<const char*>(stored.data()), stored.size() * 2});
 }
 
 gdcm::DataSet data_set_for(const Slice& slice, std::size_t index, const DicomSeriesOptions& options) {
   DataSetBuilder data;
-  data.text(0x0008, 0x0016, gdcm::VR::UI, ct_image_storage);
-  data.text(0x0008, 0x0018, gdcm::VR::UI, uid_for(options.seed, kFirstInstance + index));
+  data.text({0x0008, 0x0016}, gdcm::VR::UI, ct_image_storage);
+  data.text({0x0008, 0x0018}, gdcm::VR::UI, uid_for(options.seed, kFirstInstance + index));
   add_patient_and_study(options, data);
   add_series(options, data);
-  data.text(0x0020, 0x0013, gdcm::VR::IS, std::to_string(index + 1));
-  data.text(0x0008, 0x0008, gdcm::VR::CS, "DERIVED\\PRIMARY\\AXIAL");
-  data.text(0x0018, 0x0060, gdcm::VR::DS, "");  // KVP
-  data.text(0x0020, 0x0012, gdcm::VR::IS, "");  // acquisition number
+  data.text({0x0020, 0x0013}, gdcm::VR::IS, std::to_string(index + 1));
+  data.text({0x0008, 0x0008}, gdcm::VR::CS, "DERIVED\\PRIMARY\\AXIAL");
+  data.text({0x0018, 0x0060}, gdcm::VR::DS, "");  // KVP
+  data.text({0x0020, 0x0012}, gdcm::VR::IS, "");  // acquisition number
   add_plane(slice.pose, options, data);
   add_pixels(slice, options, data);
   return data.result();
-}
-
-void write_slice(const gdcm::DataSet& data, const std::filesystem::path& path) {
-  AtomicFile file(path);
-  gdcm::Writer writer;
-  writer.SetFileName(file.temporary().c_str());
-  writer.GetFile().SetDataSet(data);
-  gdcm::FileMetaInformation& meta = writer.GetFile().GetHeader();
-  meta.SetDataSetTransferSyntax(gdcm::TransferSyntax::ExplicitVRLittleEndian);
-  if (!writer.Write())
-    throw InputError(path.string(), "it cannot be written to the end", "check that the disk has free space");
-  file.commit();
 }
 
 }  // namespace
 
 void write_dicom_series(const SliceStack& stack, const std::filesystem::path& folder,
                         const DicomSeriesOptions& options) {
-  set_up_gdcm();
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw InputError(folder.string(), "the folder cannot be made (" + error.message() + ")", "choose another");
   for (std::size_t i = 0; i < stack.slices.size(); ++i) {
     const Slice& slice = stack.slices[i];
     if (slice.pixels.size() == 0) throw GeometryError(slice.name, "the slice has no pixels", "give slices with pixels");
-    write_slice(data_set_for(slice, i, options), folder / fmt::format("slice_{:04}.dcm", i + 1));
+    write_dicom_file(data_set_for(slice, i, options), folder / fmt::format("slice_{:04}.dcm", i + 1));
   }
 }
 

@@ -98,16 +98,17 @@ std::pair<ExtractedSurface, std::vector<ContourSample>> extract_every_contour(co
                                                                               const ReconstructOptions& options,
                                                                               ExtractionOptions& extraction,
                                                                               const Progress& progress) {
-  ExtractedSurface extracted = extract_surface(field, organ.seeds_mm, extraction, progress);
-  std::vector<ContourSample> lost = lost_contours(organ, extracted.seeds_without_surface);
-  for (int i = 0; i < most_refinements && !lost.empty() && options.resolution_mm <= 0 &&
-                  extracted.mesh.vertices_mm.size() < most_vertices_to_refine;
-       ++i) {
-    extraction.resolution_mm /= 2;
-    extracted = extract_surface(field, organ.seeds_mm, extraction, progress);
-    lost = lost_contours(organ, extracted.seeds_without_surface);
+  const int refinements = options.resolution_mm > 0 ? 0 : most_refinements;
+  for (int refined = 0;; ++refined, extraction.resolution_mm /= 2) {
+    try {
+      ExtractedSurface extracted = extract_surface(field, organ.seeds_mm, extraction, progress);
+      std::vector<ContourSample> lost = lost_contours(organ, extracted.seeds_without_surface);
+      const bool too_many = extracted.mesh.vertices_mm.size() >= most_vertices_to_refine;
+      if (lost.empty() || refined == refinements || too_many) return {std::move(extracted), std::move(lost)};
+    } catch (const GeometryError&) {  // every contour fits between the cells' corners
+      if (refined == refinements) throw;
+    }
   }
-  return {std::move(extracted), std::move(lost)};
 }
 
 }  // namespace

@@ -31,9 +31,9 @@ std::string seed_text(const Seed& seed);
 /// slice than half the distance between neighbours.
 SeedPixel pixel_of(const Seed& seed, const SliceStack& stack);
 
-/// Mean ± `spread` standard deviations of what surrounds the seed in its slice's (filtered) grey values: of the box of 4 mm
-/// (at least 2 pixels) to each side at first, then three times of what is connected to it within the range and 10 mm
-/// (at least 3 pixels). Throws InputError naming the slice when its image is constant.
+/// Mean ± `spread` standard deviations of what surrounds the seed in its slice's (filtered) grey values: of the box of
+/// 4 mm (at least 2 pixels) to each side at first, then three times of what is connected to it within the range and 10
+/// mm (at least 3 pixels). Throws InputError naming the slice when its image is constant.
 GreyRange range_like_seed(const Slice& slice, const Image<float>& grey, const SeedPixel& seed, double spread);
 
 /// The organs' masks, one plane per slice in order along the normal, reduced to what is 6-connected to the organ's

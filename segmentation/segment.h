@@ -20,8 +20,8 @@ struct SegmentationOptions {
 };
 
 /// Contours of the organ on every slice, also those where it is absent (no contours there).
-/// The simple case of segment_organs() (organs.h). Throws as that does, for instance InputError when no slice has a pixel
-/// on the organ's side of the level, or none on the other.
+/// The simple case of segment_organs() (organs.h). Throws as that does, for instance InputError when no slice has a
+/// pixel on the organ's side of the level, or none on the other.
 ContourStack segment(const SliceStack& stack, const SegmentationOptions& options, const Progress& progress = {});
 
 struct LabelOptions {

@@ -29,6 +29,14 @@ TEST_F(ConvertTest, MeshesComeBackFromEveryFormat) {
   EXPECT_EQ(read_mesh(path("e.stl")).triangles.size(), 8u);
 }
 
+TEST_F(ConvertTest, MeshesAreRemeshedOnTheWay) {
+  write_mesh(octahedron(), path("a.ply"));
+  ASSERT_EQ(isostack("convert " + path("a.ply") + " --edge-length 5 -o " + path("b.ply")).exit_code, 0);
+  EXPECT_GT(read_mesh(path("b.ply")).triangles.size(), 8u);
+  ASSERT_EQ(isostack("convert " + path("b.ply") + " --triangles 8 -o " + path("c.ply")).exit_code, 0);
+  EXPECT_EQ(read_mesh(path("c.ply")).triangles.size(), 8u);
+}
+
 TEST_F(ConvertTest, ContoursComeBackFromEveryFormat) {
   write_contours(two_organs(), path("a.json"));
   convert_in_turn({"a.json", "b.vtp", "c.json"});

@@ -57,8 +57,8 @@ double overlapping_share(const TriangleMesh& a, const TriangleMesh& b, const Eig
   return both / either;
 }
 
-/// Two balls of radius 20 mm that overlap by `overlap_mm`, centres on the x axis; drawn in the same planes, or the right
-/// one in planes across those of the left one.
+/// Two balls of radius 20 mm that overlap by `overlap_mm`, centres on the x axis; drawn in the same planes, or the
+/// right one in planes across those of the left one.
 std::vector<ContourStack> two_balls(double overlap_mm, bool in_same_planes) {
   std::vector<ContourStack> balls;
   for (const double side : {-1.0, 1.0}) {

@@ -14,7 +14,7 @@ TEST(Derivatives, QuadraticIsExactAlsoOnAnisotropicSpacing) {
     return 3 * p.x() * p.x() - 2 * p.x() * p.y() + 0.5 * p.y() * p.y() + p.x();
   });
   const auto d = derivatives_at(field, field.node_at({3, 2}));  // at (1.5, 4) mm
-  EXPECT_NEAR(d.gradient().x(), 6 * 1.5 - 2 * 4 + 1, 1e-4);  // float values
+  EXPECT_NEAR(d.gradient().x(), 6 * 1.5 - 2 * 4 + 1, 1e-4);     // float values
   EXPECT_NEAR(d.gradient().y(), -2 * 1.5 + 4, 1e-4);
   EXPECT_NEAR(d.hessian(0, 0), 6, 1e-4);
   EXPECT_NEAR(d.hessian(1, 1), 1, 1e-4);
