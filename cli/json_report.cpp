@@ -49,6 +49,7 @@ nlohmann::json to_json(const ReconstructReport& report) {
             {"p95", report.contour_residual.percentile95_mm},
             {"largest", report.contour_residual.largest_mm}}},
           {"sections", to_json(report.sections)},
+          {"section_constraints", report.section_constraints},
           {"smoothing", report.smoothing},
           {"retriangulation", to_json(report.retriangulation)},
           {"shares_faces_with", report.shares_faces_with},

@@ -48,6 +48,7 @@ ReconstructOptions resolved(const ReconstructCommand& command) {
                    : command.solver == "fast" ? SolverChoice::fast
                                               : SolverChoice::automatic;
   if (command.tolerance_mm >= 0) options.tolerance_mm = command.tolerance_mm;
+  options.accept_lost_contours = options.accept_residual;
   if (command.interpolate) {
     options.softening.strength = 0;
     options.sample_spacing_pixels = 0.2;
@@ -190,7 +191,8 @@ void add_solver_options(CLI::App& command, ReconstructCommand& options) {
   command.add_option("--solver", options.solver, "How the system is solved")
       ->check(CLI::IsMember({"auto", "dense", "fast"}))
       ->capture_default_str();
-  command.add_flag("--accept-residual", r.accept_residual, "Go on when the solve stalls above its tolerance");
+  command.add_flag("--accept-residual", r.accept_residual,
+                   "Go on when the solve stalls above its tolerance or the surface misses a contour");
   command.add_option("--smoothing", r.smoothing, "0 passes through the contours, more approximates them")
       ->check(CLI::NonNegativeNumber);
   command.add_option("--max-constraints", r.max_constraints, "Thin the contours to this many constraints")

@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 option(ISOSTACK_BUILD_TESTS "Build the tests" ON)
 option(ISOSTACK_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 option(ISOSTACK_SANITIZE "Build with address and undefined-behaviour sanitizers" OFF)
-option(ISOSTACK_BUILD_FUZZERS "Build the libFuzzer programs of tests/fuzz, and the libraries for them (clang only)" OFF)
+option(ISOSTACK_BUILD_FUZZERS "Build the libFuzzer programs of tests/fuzz (clang only)" OFF)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
@@ -33,16 +33,6 @@ target_compile_options(isostack_flags INTERFACE -Wall -Wextra -Wshadow -Wnon-vir
   $<$<BOOL:${ISOSTACK_WARNINGS_AS_ERRORS}>:-Werror>)
 if(ISOSTACK_SANITIZE)
   target_compile_options(isostack_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
-  target_link_options(isostack_flags INTERFACE -fsanitize=address,undefined)
-endif()
-
-if(ISOSTACK_BUILD_FUZZERS)
-  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang)
-    message(FATAL_ERROR "ISOSTACK_BUILD_FUZZERS needs clang, for libFuzzer: cmake --preset fuzz")
-  endif()
-  # float-cast-overflow: a number from a file that no int holds; clang leaves it out of "undefined".
-  target_compile_options(isostack_flags INTERFACE -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow
-    -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
   target_link_options(isostack_flags INTERFACE -fsanitize=address,undefined)
 endif()
 

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "io/atomic_file.h"
 #include "io/contour_checks.h"
@@ -28,7 +31,12 @@ Vector vector_from(const Json& json) {
   const auto n = static_cast<std::size_t>(vector.size());
   if (!json.is_array() || json.size() != n)
     throw Json::other_error::create(501, fmt::format("an array of {} numbers is expected", n), &json);
-  for (std::size_t i = 0; i < n; ++i) vector[static_cast<int>(i)] = json[i].get<typename Vector::Scalar>();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto number = json[i].get<double>();
+    if (std::is_integral_v<typename Vector::Scalar> && std::abs(number) > std::numeric_limits<int>::max())
+      throw Json::other_error::create(501, fmt::format("{} is too large a number", number), &json);
+    vector[static_cast<int>(i)] = static_cast<typename Vector::Scalar>(number);
+  }
   return vector;
 }
 
@@ -81,7 +89,7 @@ Color color_from(const Json& json) {
 }
 
 std::vector<ContourStack> organs_from(const Json& document, const std::string& file) {
-  if (document.value("format", "") != format_name || document.value("version", 0) != format_version)
+  if (document.value("format", "") != format_name || document.value("version", 0.0) != format_version)
     throw InputError(file, fmt::format("it is not \"format\": \"{}\", \"version\": {}", format_name, format_version),
                      "see docs/formats.md for what contours look like");
   std::vector<ContourStack> organs;

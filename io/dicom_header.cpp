@@ -45,7 +45,7 @@ int claimed_frames(const gdcm::DataSet& data, const DicomHeader& header) {
   const double frames = dicom_number(data, 0x00280008).value_or(1);
   std::error_code ignored;
   const auto bytes = static_cast<double>(std::filesystem::file_size(header.path, ignored));
-  if (frames > 8 * bytes || frames < 0)
+  if (!(frames >= 0 && frames <= std::min(8 * bytes, 2e9)))
     throw InputError(header.name, fmt::format("it claims {:.0f} frames, more than a file of its size can hold", frames),
                      "the file is cut off or damaged; copy it again or take it out");
   return std::max(1, static_cast<int>(frames));

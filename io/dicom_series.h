@@ -27,9 +27,8 @@ OrderedSeries order_series(const DicomSeries& series, std::optional<int> phase =
 /// Warnings about geometry and grey values of the series.
 std::vector<std::string> series_warnings(const OrderedSeries& series);
 
-/// Reads one image series from a DICOM file or a folder (and its subfolders), single-frame or
-/// multi-frame. Slices are ordered
-/// by their positions, never by their numbers; grey values have the header's rescale applied.
+/// Reads one image series from a DICOM file or a folder (and its subfolders), single-frame or multi-frame. Slices are
+/// ordered by their positions, never by their numbers; grey values have the header's rescale applied.
 /// Throws InputError or GeometryError naming the file or folder.
 SliceStack read_dicom_slices(const std::filesystem::path& path, const ReadOptions& options, const Progress& progress);
 

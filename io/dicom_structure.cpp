@@ -48,9 +48,10 @@ class Walk {
     std::uintmax_t announced_end = 0;
     while (position_ < size_ && next_group() == 2) {
       const Element element = next({});
+      if (element.vr == "SQ" || (element.tag == meta_length && element.length != 4)) throw Damaged();
       if (element.tag == transfer_syntax && element.length <= 64) {
         uid = text(element.length);
-      } else if (element.tag == meta_length && element.length == 4) {
+      } else if (element.tag == meta_length) {
         const std::uint32_t length = number(4, false);
         announced_end = position_ + length;
       } else {
@@ -134,7 +135,8 @@ class Walk {
     constexpr std::string_view short_forms = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
     constexpr std::string_view long_forms = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
     const bool is_long = long_forms.find(element.vr) != std::string_view::npos;
-    if (element.vr.size() != 2 || (!is_long && short_forms.find(element.vr) == std::string_view::npos)) throw Damaged();
+    const bool is_known = is_long || short_forms.find(element.vr) != std::string_view::npos;
+    if (element.vr.size() != 2 || element.vr.find(' ') != std::string::npos || !is_known) throw Damaged();
     if (!is_long) {
       element.length = number(2, encoding.big_endian);
     } else {

@@ -3,6 +3,7 @@
 #include <gdcmDataSet.h>
 #include <gdcmSequenceOfItems.h>
 
+#include <cmath>
 #include <cstring>
 #include <locale>
 #include <sstream>
@@ -23,7 +24,8 @@ std::optional<double> binary(const gdcm::DataSet& data, DicomTag tag) {
   Number result = 0;
   if (!value || value->GetLength() < sizeof(result)) return std::nullopt;
   std::memcpy(&result, value->GetPointer(), sizeof(result));
-  return static_cast<double>(result);
+  const auto number = static_cast<double>(result);
+  return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 /// The number in digits [begin, begin + length) of the text, 0 where it ends earlier.

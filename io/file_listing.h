@@ -9,10 +9,11 @@ namespace isostack {
 /// Orders names as people number them: "slice2" before "slice10".
 bool natural_less(std::string_view a, std::string_view b);
 
+enum class Depth { kThisFolder, kAllBelow };
+
 /// Regular files in the folder, or also in the folders below it, in natural order of their paths.
 /// Symbolic links to folders are not followed, so loops end. Throws InputError naming the folder when it cannot be
 /// read.
-enum class Depth { kThisFolder, kAllBelow };
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder, Depth depth);
 
 /// Throws InputError unless something exists at `path`.

@@ -189,11 +189,12 @@ NiftiHeader parse_nifti_header(const std::filesystem::path& path) {
   const double offset = fields.layout().real_bytes == 4
                             ? fields.real(fields.layout().vox_offset)
                             : static_cast<double>(fields.whole(fields.layout().vox_offset, 8));
-  header.voxels = {.path = path,
-                   .compressed = fields.compressed(),
-                   .offset_bytes = static_cast<std::uintmax_t>(std::clamp(offset, 0.0, 1e15)),
-                   .offset_is_inflated = true,
-                   .swapped = fields.swapped()};
+  header.voxels = {
+      .path = path,
+      .compressed = fields.compressed(),
+      .offset_bytes = offset > 0 ? static_cast<std::uintmax_t>(std::min(offset, 1e15)) : 0,  // it may be NaN
+      .offset_is_inflated = true,
+      .swapped = fields.swapped()};
   header.extensions_begin = static_cast<std::uintmax_t>(fields.layout().header_bytes);
   check_volume_header(header.volume, header.voxels, where);
   return header;

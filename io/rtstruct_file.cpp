@@ -26,6 +26,7 @@ constexpr DicomTag roi_contours = 0x30060039, display_color = 0x3006002a, refere
                    contour_sequence = 0x30060040, geometric_type = 0x30060042, contour_data = 0x30060050;
 constexpr DicomTag observations = 0x30060080, interpreted_type = 0x300600a4;
 
+constexpr double farthest_mm = 1e9;
 constexpr std::size_t most_points = 100'000;  // of one contour: a hundred times what is usual
 
 [[noreturn]] void throw_damaged(const std::filesystem::path& path, const std::string& problem) {
@@ -42,7 +43,7 @@ std::vector<Eigen::Vector3d> points_from(const std::string& text) {
     first = std::min(first, end);
     double number = 0;
     const auto [rest, error] = std::from_chars(text.data() + first, text.data() + end, number);
-    const bool is_number = error == std::errc() && std::isfinite(number) &&
+    const bool is_number = error == std::errc() && std::abs(number) < farthest_mm &&
                            std::all_of(rest, text.data() + end, [](char c) { return c == ' ' || c == '\0'; });
     if (!is_number) return {};
     if (count % 3 == 0) points.emplace_back();

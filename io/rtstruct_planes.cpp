@@ -9,6 +9,8 @@
 #include <numeric>
 #include <optional>
 
+#include "io/plane_pose.h"
+
 namespace isostack {
 
 namespace {
@@ -44,19 +46,9 @@ Heights heights_along(const Eigen::Vector3d& normal, const std::vector<Eigen::Ve
   return {(low + high) / 2, (high - low) / 2};
 }
 
-/// Axes of a plane without image: x along the patient's left as far as possible, y towards posterior or inferior.
-SlicePose pose_across(Eigen::Vector3d normal, double height_mm) {
-  const Eigen::Vector3d across = std::abs(normal.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
-  SlicePose pose;
-  pose.x_axis = (across - normal * normal.dot(across)).normalized();
-  pose.y_axis = normal.cross(pose.x_axis);
-  pose.origin_mm = normal * height_mm;
-  return pose;
-}
-
-/// The sign that makes y run towards posterior or inferior, whichever is nearer, in pose_across.
+/// The sign that makes y run towards posterior or inferior, whichever is nearer, in pose_of_plane.
 Eigen::Vector3d with_usual_sign(const Eigen::Vector3d& normal) {
-  const Eigen::Vector3d y = pose_across(normal, 0).y_axis;
+  const Eigen::Vector3d y = pose_of_plane(normal, 0).y_axis;
   return y.y() - y.z() >= 0 ? normal : Eigen::Vector3d(-normal);
 }
 
@@ -167,7 +159,7 @@ class PlaneFinder {
     const Eigen::Vector3d& normal = normals_[static_cast<std::size_t>(direction)];
     ContourSlice plane;
     const ContourSlice* nearest = image ? image : nearest_image(direction, height_mm);
-    plane.pose = nearest ? nearest->pose : pose_across(normal, height_mm);
+    plane.pose = nearest ? nearest->pose : pose_of_plane(normal, height_mm);
     if (nearest) {
       const double shift_mm = height_mm - normal.dot(nearest->pose.origin_mm);
       constexpr double rounding_mm = 1e-3;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "io/contour_checks.h"
+#include "io/plane_pose.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack {
@@ -59,13 +60,7 @@ double median_edge(const std::vector<SectionPlane>& planes, const std::vector<st
 
 SlicePose pose_of(const Eigen::Vector4d& equation, double sign) {
   const double length = equation.head<3>().norm();
-  const Eigen::Vector3d normal = equation.head<3>() / length;
-  SlicePose pose;
-  pose.origin_mm = -sign * equation[3] / length * normal;
-  const Eigen::Vector3d start = std::abs(normal.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
-  pose.x_axis = (start - start.dot(normal) * normal).normalized();
-  pose.y_axis = normal.cross(pose.x_axis);
-  return pose;
+  return pose_of_plane(equation.head<3>() / length, -sign * equation[3] / length);
 }
 
 Contour contour_of(const SectionLoop& loop, const SectionPlane& plane, const SlicePose& pose) {

@@ -32,13 +32,13 @@ TextTokens::TextTokens(const std::filesystem::path& path) : file_(path.string())
 
 void TextTokens::skip_space() {
   for (; at_ < text_.size(); ++at_) {
-    if (text_[at_] == '#') at_ = std::min(text_.find('\n', at_), text_.size() - 1);
+    if (text_[at_] == '#') at_ = std::min(text_.find('\n', at_), text_.size());
+    if (at_ == text_.size()) return;
     if (text_[at_] == '\n')
       ++line_;
-    else if (space.find(text_[at_]) == std::string_view::npos && text_[at_] != '#')
+    else if (space.find(text_[at_]) == std::string_view::npos)
       return;
   }
-  at_ = std::min(at_, text_.size());
 }
 
 bool TextTokens::at_end() {

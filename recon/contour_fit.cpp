@@ -108,6 +108,7 @@ std::vector<Disagreement> ContourFit::disagreements(const ImplicitFunction& func
   PlaneCheck check = check_planes([&](const Eigen::MatrixXd& points) { return function.values(points); }, contours_);
   report_.plane_points = check.points;
   report_.plane_points_wrong = check.wrong;
+  report_.between_points_wrong = check.wrong_between;
   std::erase_if(check.worst, [&](const Disagreement& d) {
     return is_explained_by(soft_places_, d.point_mm, d.distance_mm, options_.softening);
   });

@@ -26,7 +26,7 @@ Eigen::Index nearest_sample(const std::vector<ContourSample>& samples, const Str
 std::optional<ImplicitFunction> ContourFit::repair(const SectionDeviations& deviations,
                                                    const ImplicitFunction& function) {
   const std::size_t samples_before = samples_.size(), strays_before = strays_.size();
-  const std::size_t allowed = options_.max_constraints / 3;
+  const std::size_t allowed = options_.max_constraints / 3 + options_.max_constraints / 12;  // repairs come on top
   RefineOptions refine;
   refine.tolerance_mm = 0;
   refine.spread_mm = 0.5 * pixel_mm_;

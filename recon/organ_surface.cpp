@@ -67,7 +67,7 @@ BoundedField bounded_field(const FittedOrgan& organ, const ReconstructOptions& o
 namespace {
 
 /// Specks this small fit between the cells' corners; they are counted, not missed.
-constexpr double speck_pixels = 1.2;
+constexpr double speck_pixels = 2;
 
 /// Contours wider than a speck whose points are all without a surface, each by one of its samples.
 std::vector<ContourSample> lost_contours(const FittedOrgan& organ, const std::vector<std::size_t>& lost_seeds) {
@@ -140,7 +140,7 @@ std::vector<ContourSample> extract_organ(const FittedOrgan& organ, const Bounded
 
 void require_none_lost(const std::vector<ContourSample>& lost, const FittedOrgan& organ,
                        const ReconstructOptions& options) {
-  if (lost.empty() || options.accept_residual) return;
+  if (lost.empty() || options.accept_lost_contours) return;
   const ContourSample& first = lost.front();
   throw SolveError(
       organ.slice_names[first.slice],

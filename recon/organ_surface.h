@@ -48,7 +48,7 @@ std::vector<ContourSample> extract_organ(const FittedOrgan& organ, const Bounded
                                          const ReconstructOptions& options, const Progress& progress,
                                          Reconstruction& result);
 
-/// Throws SolveError naming the first slice unless there is none or options.accept_residual.
+/// Throws SolveError naming the first slice unless there is none or options.accept_lost_contours.
 void require_none_lost(const std::vector<ContourSample>& lost, const FittedOrgan& organ,
                        const ReconstructOptions& options);
 

@@ -40,9 +40,10 @@ struct ReconstructOptions {
   SolverChoice solver = SolverChoice::automatic;  ///< dense, fast, or whichever takes less time
   double solve_tolerance_pixels = 1e-3;           ///< largest residual of the fast solver
   bool accept_residual = false;                   ///< go on with the best solution when the solve stalls
+  bool accept_lost_contours = false;              ///< go on when the surface misses a contour
   std::size_t max_constraints = 60'000;           ///< contours are thinned to this many
-  double resolution_mm =
-      0;  ///< cell size of the surface; 0: a pixel, half of it for thin parts; at least diagonal / 600
+  /// Cell size of the surface; 0: a pixel, half of it for thin parts; at least diagonal / 600.
+  double resolution_mm = 0;
   Caps caps = Caps::round;                      ///< how the surface ends beyond a parallel stack
   RetriangulationOptions retriangulation = {};  ///< of the extracted surface; by default it stays as extracted
   bool allow_overlap = false;  ///< reconstruct_all: leave surfaces of several organs as each is by itself
@@ -69,13 +70,14 @@ struct ReconstructReport {
   std::vector<SolveStage> solve_stages;  ///< seconds of all solves together, largest bytes
   double resolution_mm = 0;
   std::size_t contour_points_without_surface = 0;
-  std::size_t plane_points = 0;         ///< lattice points compared with the segmentation, all planes together
-  std::size_t plane_points_wrong = 0;   ///< of those, more than a pixel on the wrong side of the result
-  std::size_t plane_constraints = 0;    ///< constraints added for them
-  std::size_t section_constraints = 0;  ///< contour points and others added because sections strayed
-  ContourResidual contour_residual;     ///< of all contour points, whether constraints or not
-  SliceAgreement sections;              ///< cuts of the surface by all input planes against the contours there
-  double smoothing = 0;                 ///< ρ that met the tolerance, or that was given
+  std::size_t plane_points = 0;          ///< lattice points compared with the segmentation, all planes together
+  std::size_t plane_points_wrong = 0;    ///< of those, more than a pixel on the wrong side of the result
+  std::size_t between_points_wrong = 0;  ///< half-way between slices, with a sign that neither slice has near there
+  std::size_t plane_constraints = 0;     ///< constraints added for them
+  std::size_t section_constraints = 0;   ///< contour points and others added because sections strayed
+  ContourResidual contour_residual;      ///< of all contour points, whether constraints or not
+  SliceAgreement sections;               ///< cuts of the surface by all input planes against the contours there
+  double smoothing = 0;                  ///< ρ that met the tolerance, or that was given
   std::optional<RetriangulationReport> retriangulation;  ///< when it was asked for
   std::vector<std::string> shares_faces_with;            ///< organs that had to be kept from overlapping this one
   bool open_end = false;       ///< the organ is cut by the end of the stack: the surface is flat there

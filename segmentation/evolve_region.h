@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "recon/geometry/progress.h"
 #include "segmentation/field.h"
 #include "segmentation/threshold.h"
 
@@ -25,16 +26,17 @@ struct EvolutionOptions {
   bool is_active() const { return curvature > 0 || region > 0 || edge > 0 || balloon != 0; }
 };
 
-/// Evolves a region (>= 0 inside, any scale) on its grey values. Returns the signed distance in mm. `where` names the
-/// slice or volume in messages. Throws InputError when a region that could hold out against the curvature vanishes, or
+/// Evolves a region (>= 0 inside, any scale) on its grey values. Returns the signed distance in mm next to the curve
+/// (narrow_band_pixels), ± the width of that band elsewhere. `where` names the slice or volume in messages. Throws
+/// Cancelled when `progress` says so, InputError when a region that could hold out against the curvature vanishes, or
 /// when a region of less than half the image fills nearly all of it.
 template <int D>
 Field<D> evolve_region(Field<D> start, const Field<D>& grey, const std::optional<GreyRange>& range,
-                       const EvolutionOptions& options, const std::string& where);
+                       const EvolutionOptions& options, const std::string& where, const Progress& progress = {});
 
 extern template Field<2> evolve_region(Field<2>, const Field<2>&, const std::optional<GreyRange>&,
-                                       const EvolutionOptions&, const std::string&);
+                                       const EvolutionOptions&, const std::string&, const Progress&);
 extern template Field<3> evolve_region(Field<3>, const Field<3>&, const std::optional<GreyRange>&,
-                                       const EvolutionOptions&, const std::string&);
+                                       const EvolutionOptions&, const std::string&, const Progress&);
 
 }  // namespace isostack

@@ -1,3 +1,5 @@
+#include "segmentation/keep_connected.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,14 +9,13 @@
 
 #include "segmentation/fast_marching.h"
 #include "segmentation/field.h"
-#include "segmentation/seeds.h"
 
 namespace isostack {
 
 namespace {
 
 /// A stack of planes as one array of voxels, plane by plane, row by row.
-struct Lattice {
+struct VoxelStack {
   std::int64_t planes, rows, columns;
 
   std::int64_t size() const { return planes * rows * columns; }
@@ -33,12 +34,12 @@ struct Lattice {
   }
 };
 
-std::uint8_t& at(std::vector<Mask>& planes, const Lattice& lattice, std::int64_t voxel) {
+std::uint8_t& at(std::vector<Mask>& planes, const VoxelStack& lattice, std::int64_t voxel) {
   const std::int64_t area = lattice.rows * lattice.columns;
   return planes[static_cast<std::size_t>(voxel / area)].data()[voxel % area];
 }
 
-void keep_reached(std::vector<Mask>& planes, const Lattice& lattice, const std::vector<SeedPixel>& seeds) {
+void keep_reached(std::vector<Mask>& planes, const VoxelStack& lattice, const std::vector<SeedPixel>& seeds) {
   constexpr std::uint8_t organ = 1, reached = 2;
   std::vector<std::int64_t> pending;
   const auto visit = [&](std::int64_t voxel) {
@@ -93,7 +94,7 @@ struct Arrival {
 
 /// Dijkstra's shortest paths from all organs' seeds at once, every organ within its own mask.
 void share_by_arrival(std::vector<std::vector<Mask>>& organs, const std::vector<std::vector<SeedPixel>>& seeds,
-                      const Lattice& lattice, const std::vector<double>& positions_mm,
+                      const VoxelStack& lattice, const std::vector<double>& positions_mm,
                       const Eigen::Vector2d& spacing_mm) {
   const std::vector<float> slow = slowness(organs, spacing_mm);
   std::vector<std::uint16_t> owner(static_cast<std::size_t>(lattice.size()), 0);
@@ -130,7 +131,7 @@ void keep_connected(std::vector<std::vector<Mask>>& organs, const std::vector<st
                     const std::vector<double>& positions_mm, const Eigen::Vector2d& spacing_mm) {
   if (organs.empty() || organs.front().empty()) return;
   const Mask& first = organs.front().front();
-  const Lattice lattice{static_cast<std::int64_t>(organs.front().size()), first.rows(), first.cols()};
+  const VoxelStack lattice{static_cast<std::int64_t>(organs.front().size()), first.rows(), first.cols()};
   for (std::size_t organ = 0; organ < organs.size(); ++organ) keep_reached(organs[organ], lattice, seeds[organ]);
   if (any_shared(organs)) share_by_arrival(organs, seeds, lattice, positions_mm, spacing_mm);
 }

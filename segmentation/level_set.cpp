@@ -57,15 +57,14 @@ class Evolution {
     for (double h : result_.phi.spacing_mm) inverse_h2_ += 1 / (h * h);
   }
 
-  LevelSetResult<D> run() {
+  LevelSetResult<D> run(const Progress& progress) {
     terms_.start(result_.phi);
     result_.stop = LevelSetStop::max_steps;
-    while (!is_over()) step();
-    std::vector<std::size_t> beside_curve;
-    for (const std::int32_t slot : band_->layer(0))
-      beside_curve.push_back(band_->nodes()[static_cast<std::size_t>(slot)].node);
-    band_.reset();
-    redistance(result_.phi, options_.band_pixels * h_mm_, beside_curve);
+    while (!is_over()) {
+      step();
+      progress.report("level set", static_cast<double>(result_.steps) / std::max(1, options_.max_steps));
+    }
+    finish();
     return std::move(result_);
   }
 
@@ -77,6 +76,16 @@ class Evolution {
       result_.stop = inside ? LevelSetStop::flooded : LevelSetStop::vanished;
     }
     return result_.stop != LevelSetStop::max_steps || result_.steps >= options_.max_steps;
+  }
+
+  void finish() {
+    const double band_mm = options_.band_pixels * h_mm_;
+    if (options_.band_pixels <= narrow_band_pixels<D>) return band_->cut_off(band_mm);
+    std::vector<std::size_t> beside_curve;
+    for (const std::int32_t slot : band_->layer(0))
+      beside_curve.push_back(band_->nodes()[static_cast<std::size_t>(slot)].node);
+    band_.reset();
+    redistance(result_.phi, band_mm, beside_curve);
   }
 
   void step() {
@@ -102,16 +111,15 @@ class Evolution {
       result_.stop = LevelSetStop::converged;
   }
 
-  /// body(node, extremes) for every node of a layer.
+  /// body(slot, extremes) for every node of a layer.
   template <class Body>
   Extremes for_each_in_layer(int layer, Body body) {
     const auto& slots = band_->layer(layer);
-    auto& nodes = band_->nodes();
     const Pieces pieces{slots.size(), 1 << 13};
     std::vector<Extremes> found(pieces.number());
     pieces.for_each([&](std::size_t piece, std::size_t first, std::size_t last) {
       Extremes mine;
-      for (std::size_t i = first; i < last; ++i) body(nodes[static_cast<std::size_t>(slots[i])], mine);
+      for (std::size_t i = first; i < last; ++i) body(static_cast<std::size_t>(slots[i]), mine);
       found[piece] = mine;
     });
     Extremes all;
@@ -121,7 +129,10 @@ class Evolution {
 
   /// F at the nodes beside the curve.
   Extremes find_speeds() {
-    return for_each_in_layer(0, [&](BandNode& node, Extremes& extremes) {
+    BandNode* const nodes = band_->nodes().data();
+    float* const speeds = band_->speeds().data();
+    return for_each_in_layer(0, [this, nodes, speeds](std::size_t slot, Extremes& extremes) {
+      BandNode& node = nodes[slot];
       const auto [propagation, weight_mm] = terms_.speeds_at(node);
       double speed = propagation, fastest = std::abs(propagation);
       if (terms_.has_advection()) {
@@ -131,7 +142,7 @@ class Evolution {
         fastest += std::abs(carried);
       }
       if (weight_mm > 0) speed += weight_mm * curvature_motion(node);
-      node.speed = static_cast<float>(speed);
+      speeds[slot] = static_cast<float>(speed);
       extremes.speed = std::max(extremes.speed, fastest);
       extremes.curvature_weight = std::max(extremes.curvature_weight, weight_mm);
       extremes.is_finite = extremes.is_finite && std::isfinite(speed) && std::isfinite(weight_mm);
@@ -151,86 +162,84 @@ class Evolution {
   /// φ_t at the nodes beside the curve: F at their closest point, which lies on the plane through the crossings on
   /// the axes. On the crossings F is interpolated between the two nodes.
   Extremes find_rates() {
-    const auto& phi = result_.phi.values;
+    const BandNode* const nodes = band_->nodes().data();
+    const float *const phi = result_.phi.values.data(), *const speeds = band_->speeds().data();
+    float* const rates = band_->rates().data();
     const auto& lattice = band_->lattice();
-    return for_each_in_layer(0, [&](BandNode& node, Extremes& extremes) {
-      const double value = phi[node.node];
-      double sum = 0, weights = 0, nearest = -1, nearest_speed = 0;
-      const auto leave_axis = [&] {
-        if (nearest < 0) return;
-        const double weight = 1 / (nearest * nearest);
-        sum += weight * nearest_speed;
-        weights += weight;
-        nearest = -1;
-      };
-      int last_axis = -1;
-      lattice.for_each_neighbour(node.sides, [&](int axis, std::ptrdiff_t stride) {
-        if (axis != last_axis) leave_axis();
-        last_axis = axis;
-        const std::size_t there = lattice.moved(node.node, stride);
-        if (is_inside(phi[there]) == (value >= 0)) return;
-        const double h = lattice.spacing_mm[axis], other = band_->at(there).speed;
-        const double share = value / (value - static_cast<double>(phi[there]));
-        const double crossing_speed = (1 - share) * node.speed + share * other;
-        const double distance = std::max(share, 1e-6) * h;
-        if (nearest < 0 || distance < nearest) {
-          nearest = distance;
-          nearest_speed = crossing_speed;
-        }
-        if (value < 0) return;
-        extremes.slope = std::max(extremes.slope, std::abs(other - static_cast<double>(node.speed)) / h);
-        extremes.sum += crossing_speed * crossing_speed;
-        ++extremes.count;
-      });
-      leave_axis();
-      node.rate = static_cast<float>(sum / weights);
+    return for_each_in_layer(0, [=, &lattice, this](std::size_t slot, Extremes& extremes) {
+      const BandNode& node = nodes[slot];
+      const float value = phi[node.node], own = speeds[slot];
+      float sum = 0, weights = 0;
+      for (int axis = 0; axis < D; ++axis) {
+        float nearest = 2, nearest_speed = 0;
+        const auto look = [&](std::ptrdiff_t stride) {
+          const std::size_t there = lattice.moved(node.node, stride);
+          if (is_inside(phi[there]) == (value >= 0)) return;
+          const float other = speeds[band_->slot_of(there)], share = value / (value - phi[there]);
+          const float crossing_speed = own + share * (other - own);
+          if (share < nearest) {
+            nearest = share;
+            nearest_speed = crossing_speed;
+          }
+          if (value < 0) return;
+          const double difference = std::abs(static_cast<double>(other) - static_cast<double>(own));
+          extremes.slope = std::max(extremes.slope, difference * lattice.inverse_spacing[axis]);
+          extremes.sum += static_cast<double>(crossing_speed) * crossing_speed;
+          ++extremes.count;
+        };
+        if (node.sides & lattice.before(axis)) look(-lattice.stride[axis]);
+        if (node.sides & lattice.after(axis)) look(lattice.stride[axis]);
+        if (nearest > 1) continue;
+        const auto inverse = static_cast<float>(lattice.inverse_spacing[axis]) / std::max(nearest, 1e-6f);
+        sum += inverse * inverse * nearest_speed;
+        weights += inverse * inverse;
+      }
+      rates[slot] = sum / weights;
     });
   }
 
-  /// ∇φ_t·∇φ = 0, upwind: from the neighbours of inner layers.
   void carry_rates_to(int layer) {
-    const auto& phi = result_.phi.values;
-    const auto& lattice = band_->lattice();
-    for_each_in_layer(layer, [&](BandNode& node, Extremes&) {
-      const double own = std::abs(phi[node.node]);
-      double sum = 0, weights = 0, any = 0;
-      lattice.for_each_neighbour(node.sides, [&](int axis, std::ptrdiff_t stride) {
-        const std::size_t there = lattice.moved(node.node, stride);
-        if (!band_->has(there)) return;
-        const BandNode& inner = band_->at(there);
-        if (inner.layer >= layer) return;
-        const double h = lattice.spacing_mm[axis];
-        const double weight = std::max(0.0, own - std::abs(static_cast<double>(phi[there]))) / (h * h);
-        sum += weight * inner.rate;
-        weights += weight;
-        any = inner.rate;
-      });
-      node.rate = static_cast<float>(weights > 0 ? sum / weights : any);
-    });
+    SparseBand<D>& band = *band_;
+    float* const rates = band.rates().data();
+    for_each_in_layer(layer, [&band, rates](std::size_t slot, Extremes&) { rates[slot] = band.rate_from_inner(slot); });
   }
 
   void advance(double step_mm) {
-    auto& phi = result_.phi.values;
+    std::vector<std::size_t> changed;
+    std::vector<std::int32_t> travelled;
+    move_phi(step_mm, changed, travelled);
+    for (const std::size_t node : changed) terms_.changed_side(node, is_inside(result_.phi.values[node]));
+    if (!changed.empty()) band_->follow(changed);
+    band_->renew(travelled, h_mm_);
+  }
+
+  /// Lists the nodes that change their side, and where in the band φ has moved by a pixel.
+  void move_phi(double step_mm, std::vector<std::size_t>& changed, std::vector<std::int32_t>& travelled) {
+    float* const phi = result_.phi.values.data();
     auto& nodes = band_->nodes();
+    const float *const rates = band_->rates().data(), step = static_cast<float>(step_mm);
+    const auto limit = static_cast<float>(h_mm_), per_quarter_pixel = static_cast<float>(4 / h_mm_);
     const Pieces pieces{nodes.size(), 1 << 15};
     std::vector<std::vector<std::size_t>> changed_in(pieces.number());
+    std::vector<std::vector<std::int32_t>> travelled_in(pieces.number());
     pieces.for_each([&](std::size_t piece, std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         BandNode& node = nodes[i];
         if (node.layer == SparseBand<D>::outside) continue;
         float& value = phi[node.node];
-        const auto change = static_cast<float>(step_mm * node.rate);
+        const float change = step * rates[i], moved = node.moved_mm + std::abs(change);
         const bool was_inside = is_inside(value);
         value += change;
-        node.moved_mm += std::abs(change);
         if (is_inside(value) != was_inside) changed_in[piece].push_back(node.node);
+        // The direction to the curve may have turned.
+        if (static_cast<int>(moved * per_quarter_pixel) != static_cast<int>(node.moved_mm * per_quarter_pixel))
+          node.has_sources = false;
+        if (moved > limit) travelled_in[piece].push_back(static_cast<std::int32_t>(i));
+        node.moved_mm = moved;
       }
     });
-    std::vector<std::size_t> changed;
     for (const auto& part : changed_in) changed.insert(changed.end(), part.begin(), part.end());
-    for (const std::size_t node : changed) terms_.changed_side(node, is_inside(phi[node]));
-    if (!changed.empty()) band_->follow(changed);
-    band_->renew(h_mm_);
+    for (const auto& part : travelled_in) travelled.insert(travelled.end(), part.begin(), part.end());
   }
 
   const LevelSetOptions& options_;
@@ -244,12 +253,15 @@ class Evolution {
 }  // namespace
 
 template <int D>
-LevelSetResult<D> evolve(Field<D> phi, const std::vector<WeightedTerm<D>>& terms, const LevelSetOptions& options) {
+LevelSetResult<D> evolve(Field<D> phi, const std::vector<WeightedTerm<D>>& terms, const LevelSetOptions& options,
+                         const Progress& progress) {
   check(phi);
-  return Evolution<D>(std::move(phi), terms, options).run();
+  return Evolution<D>(std::move(phi), terms, options).run(progress);
 }
 
-template LevelSetResult<2> evolve(Field<2>, const std::vector<WeightedTerm<2>>&, const LevelSetOptions&);
-template LevelSetResult<3> evolve(Field<3>, const std::vector<WeightedTerm<3>>&, const LevelSetOptions&);
+template LevelSetResult<2> evolve(Field<2>, const std::vector<WeightedTerm<2>>&, const LevelSetOptions&,
+                                  const Progress&);
+template LevelSetResult<3> evolve(Field<3>, const std::vector<WeightedTerm<3>>&, const LevelSetOptions&,
+                                  const Progress&);
 
 }  // namespace isostack

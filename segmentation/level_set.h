@@ -3,17 +3,23 @@
 #include <limits>
 #include <vector>
 
+#include "recon/geometry/progress.h"
 #include "segmentation/field.h"
 #include "segmentation/speed_terms.h"
 
 namespace isostack {
+
+/// All that tracing contours needs. A result of no more than this width costs nothing: it is what the evolution keeps
+/// around the curve, a distance within about a tenth of a pixel. A wider one is made by redistance.
+template <int D>
+constexpr double narrow_band_pixels = D == 2 ? 2 : 1.7;
 
 /// Lengths in pixels refer to the smallest spacing.
 struct LevelSetOptions {
   int max_steps = 100;                                           ///< at most this many steps
   double max_time_mm = std::numeric_limits<double>::infinity();  ///< stop exactly at this time
   double tolerance_pixels = 1e-3;  ///< stop when the curve's RMS movement in one step falls below; 0: never
-  double band_pixels = 6;          ///< the result is a distance up to here; tracing contours needs no more than 2
+  double band_pixels = 6;          ///< the result is a distance up to here, see narrow_band_pixels
   double cfl = 0.8;                ///< share of the largest stable time step, in (0, 1]
 };
 
@@ -41,12 +47,16 @@ struct LevelSetResult {
 /// because it changes by the curve's own movement (∇F·∇φ = 0, Adalsteinsson and Sethian 1999), and nodes the curve
 /// comes near to, or that have changed by a pixel, get theirs anew from Godunov's second-order upwind scheme for |∇φ|
 /// = 1. The curve moves, so a term does not make new curves away from it. The result is the same on any number of
-/// threads. Memory: two 4-byte values per node besides the terms' images, and about 40 bytes per node of the band.
-/// Throws InputError on spacings that are not positive and on values that are not finite in `phi`.
+/// threads. Memory: two 4-byte values per node besides the terms' images, and about 60 bytes per node of the band.
+/// Reports after every step. Throws InputError on spacings that are not positive and on values that are not finite in
+/// `phi`, Cancelled when `progress` says so.
 template <int D>
-LevelSetResult<D> evolve(Field<D> phi, const std::vector<WeightedTerm<D>>& terms, const LevelSetOptions& options = {});
+LevelSetResult<D> evolve(Field<D> phi, const std::vector<WeightedTerm<D>>& terms, const LevelSetOptions& options = {},
+                         const Progress& progress = {});
 
-extern template LevelSetResult<2> evolve(Field<2>, const std::vector<WeightedTerm<2>>&, const LevelSetOptions&);
-extern template LevelSetResult<3> evolve(Field<3>, const std::vector<WeightedTerm<3>>&, const LevelSetOptions&);
+extern template LevelSetResult<2> evolve(Field<2>, const std::vector<WeightedTerm<2>>&, const LevelSetOptions&,
+                                         const Progress&);
+extern template LevelSetResult<3> evolve(Field<3>, const std::vector<WeightedTerm<3>>&, const LevelSetOptions&,
+                                         const Progress&);
 
 }  // namespace isostack

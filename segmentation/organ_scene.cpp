@@ -171,14 +171,14 @@ std::vector<SeedPixel> seeds_within(const OrganRegion& organ, const OrganScene& 
         nearest = {seed.slice, row, column};
       }
     if (nearest_pixels > static_cast<double>(reach)) {
-      const std::string grey = number_text(scene.grey[seed.slice](seed.row, seed.column), 4);
-      const std::string range = organ.range ? ", the range is " + number_text(organ.range->low, 4) + " to " +
-                                                  number_text(organ.range->high, 4)
-                                            : "";
-      throw InputError(seed_text(organ.seeds[i]),
-                       "on " + scene.slice(seed.slice).name + " the region does not reach it (its grey value is " +
-                           grey + range + ")",
-                       "seed the organ's middle, or try another --range or --level, or a smaller --open");
+      std::string grey = number_text(scene.grey[seed.slice](seed.row, seed.column), 4);
+      if (organ.range)
+        grey.append(", the range is " + number_text(organ.range->low, 4))
+            .append(" to " + number_text(organ.range->high, 4));
+      throw InputError(
+          seed_text(organ.seeds[i]),
+          "on " + scene.slice(seed.slice).name + " the region does not reach it (its grey value is " + grey + ")",
+          "seed the organ's middle, or try another --range or --level, or a smaller --open");
     }
     seeds.push_back(nearest);
   }

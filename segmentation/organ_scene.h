@@ -42,9 +42,4 @@ OrganScene prepare_scene(const SliceStack& stack, const OrganOptions& options, c
 /// when there is none.
 std::vector<SeedPixel> seeds_within(const OrganRegion& organ, const OrganScene& scene);
 
-/// Region steps and evolution of one organ, plane by plane from its seeds outwards (OrganOptions::propagate_mm).
-/// Returns remarks.
-std::vector<std::string> propagate(OrganRegion& organ, const OrganScene& scene, const std::vector<StartStep>& steps,
-                                   const OrganOptions& options);
-
 }  // namespace isostack

@@ -7,7 +7,9 @@
 #include "recon/geometry/errors.h"
 #include "segmentation/fast_marching.h"
 #include "segmentation/for_each_slice.h"
+#include "segmentation/keep_connected.h"
 #include "segmentation/organ_scene.h"
+#include "segmentation/propagate.h"
 #include "segmentation/region.h"
 #include "segmentation/shape_steps.h"
 #include "segmentation/trace_contours.h"
@@ -123,8 +125,10 @@ void evolve(OrganRegion& organ, OrganScene& scene, const OrganOptions& options, 
   if (options.in_volume) {
     const Eigen::Vector2d& pixel = scene.pose(0).spacing_mm;
     const Eigen::Vector3d spacing_mm(pixel.x(), pixel.y(), scene.plane_distance_mm);
+    const Progress of_steps{[&](std::string_view, double fraction) { progress.report(stage, 0.3 + 0.6 * fraction); },
+                            progress.is_cancelled};
     organ.phi = planes_of(evolve_region<3>(field_of(organ.phi, spacing_mm), field_of(scene.grey, spacing_mm),
-                                           organ.range, options.evolution, scene.stack.name));
+                                           organ.range, options.evolution, scene.stack.name, of_steps));
     return;
   }
   for_each_slice(scene.order.size(), progress, stage, 0.3, 0.9, [&](std::size_t k) {

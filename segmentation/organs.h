@@ -25,8 +25,8 @@ struct OrganOptions {
 };
 
 struct SegmentedOrgans {
-  std::vector<ContourStack>
-      organs;  ///< in the order their names first appear; all slices, also those without the organ
+  /// In the order their names first appear; all slices, also those without the organ.
+  std::vector<ContourStack> organs;
   /// Per organ and slice: signed distance in mm, positive inside, exact near the contours, same pixels. Empty unless
   /// asked.
   std::vector<std::vector<Image<float>>> distances_mm;

@@ -1,3 +1,5 @@
+#include "segmentation/propagate.h"
+
 #include <algorithm>
 #include <deque>
 #include <map>
@@ -5,8 +7,8 @@
 
 #include "recon/geometry/errors.h"
 #include "segmentation/fast_marching.h"
+#include "segmentation/flood.h"
 #include "segmentation/number_text.h"
-#include "segmentation/organ_scene.h"
 #include "segmentation/region.h"
 #include "segmentation/shape_steps.h"
 
@@ -17,27 +19,16 @@ namespace {
 /// Number of the 4-connected part at every pixel, from 1; 0 outside.
 Image<int> parts_of(const Mask& mask) {
   Image<int> part = Image<int>::Zero(mask.rows(), mask.cols());
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> pending;
   int count = 0;
-  const auto visit = [&](Eigen::Index row, Eigen::Index column) {
-    if (row < 0 || column < 0 || row >= mask.rows() || column >= mask.cols()) return;
-    if (!mask(row, column) || part(row, column)) return;
-    part(row, column) = count;
-    pending.emplace_back(row, column);
-  };
   for (Eigen::Index row = 0; row < mask.rows(); ++row)
     for (Eigen::Index column = 0; column < mask.cols(); ++column) {
       if (!mask(row, column) || part(row, column)) continue;
       ++count;
-      visit(row, column);
-      while (!pending.empty()) {
-        const auto [r, c] = pending.back();
-        pending.pop_back();
-        visit(r - 1, c);
-        visit(r + 1, c);
-        visit(r, c - 1);
-        visit(r, c + 1);
-      }
+      flood_from(row, column, mask.rows(), mask.cols(), [&](Eigen::Index r, Eigen::Index c) {
+        if (!mask(r, c) || part(r, c)) return false;
+        part(r, c) = count;
+        return true;
+      });
     }
   return part;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "recon/geometry/errors.h"
+#include "segmentation/flood.h"
 #include "segmentation/number_text.h"
 
 namespace isostack {
@@ -52,27 +53,16 @@ Statistics around(const Image<float>& image, const SeedPixel& seed, const Eigen:
 Statistics connected_around(const Image<float>& image, const SeedPixel& seed, const GreyRange& range,
                             const Eigen::Vector2d& spacing_mm) {
   const double radius_mm = std::max(10.0, 3 * spacing_mm.maxCoeff());
-  Mask pending_or_done = Mask::Zero(image.rows(), image.cols());
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> pending;
+  Mask entered = Mask::Zero(image.rows(), image.cols());
   Statistics statistics;
-  const auto visit = [&](Eigen::Index row, Eigen::Index column) {
-    if (row < 0 || column < 0 || row >= image.rows() || column >= image.cols() || pending_or_done(row, column)) return;
+  flood_from(seed.row, seed.column, image.rows(), image.cols(), [&](Eigen::Index row, Eigen::Index column) {
     const double away_mm = std::hypot(static_cast<double>(column - seed.column) * spacing_mm.x(),
                                       static_cast<double>(row - seed.row) * spacing_mm.y());
-    if (away_mm > radius_mm || range.depth(image(row, column)) < 0) return;
-    pending_or_done(row, column) = 1;
+    if (entered(row, column) || away_mm > radius_mm || range.depth(image(row, column)) < 0) return false;
+    entered(row, column) = 1;
     statistics.add(image(row, column));
-    pending.emplace_back(row, column);
-  };
-  visit(seed.row, seed.column);
-  while (!pending.empty()) {
-    const auto [row, column] = pending.back();
-    pending.pop_back();
-    visit(row - 1, column);
-    visit(row + 1, column);
-    visit(row, column - 1);
-    visit(row, column + 1);
-  }
+    return true;
+  });
   return statistics;
 }
 

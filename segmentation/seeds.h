@@ -36,11 +36,4 @@ SeedPixel pixel_of(const Seed& seed, const SliceStack& stack);
 /// mm (at least 3 pixels). Throws InputError naming the slice when its image is constant.
 GreyRange range_like_seed(const Slice& slice, const Image<float>& grey, const SeedPixel& seed, double spread);
 
-/// The organs' masks, one plane per slice in order along the normal, reduced to what is 6-connected to the organ's
-/// seeds. Where organs reach the same pixels these go to the organ that gets there first, when narrow
-/// passages take longer: a step of 1 mm takes (1/d)², d the distance to the edge of what any organ reaches, in
-/// pixels. So organs that touch part at their necks. Sizes of all masks agree.
-void keep_connected(std::vector<std::vector<Mask>>& organs, const std::vector<std::vector<SeedPixel>>& seeds,
-                    const std::vector<double>& positions_mm, const Eigen::Vector2d& spacing_mm);
-
 }  // namespace isostack

@@ -1,5 +1,6 @@
 #include "segmentation/sparse_band.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "segmentation/curve_distance.h"
@@ -12,7 +13,11 @@ template <int D>
 SparseBand<D>::SparseBand(Field<D>& phi) : phi_(phi), lattice_(phi), slot_(phi.values.size(), -1) {
   const auto beside = nodes_beside_curve(phi_, lattice_);
   set_distances_beside_curve(phi_, lattice_, beside);
-  nodes_.reserve(5 * beside.size());
+  const std::size_t expected = 7 * beside.size() / 2;
+  nodes_.reserve(expected);
+  speeds_.reserve(expected);
+  rates_.reserve(expected);
+  sources_.reserve(expected);
   for (const std::size_t node : beside) nodes_[static_cast<std::size_t>(acquire(node))].layer = 0;
   std::vector<std::int32_t> around;
   std::size_t first = 0;
@@ -40,6 +45,9 @@ std::int32_t SparseBand<D>::acquire(std::size_t node) {
   if (free_.empty()) {
     slot = static_cast<std::int32_t>(nodes_.size());
     nodes_.emplace_back();
+    speeds_.push_back(0);
+    rates_.push_back(0);
+    sources_.emplace_back();
   } else {
     slot = free_.back();
     free_.pop_back();
@@ -94,6 +102,7 @@ void SparseBand<D>::set_layers(const std::vector<std::int32_t>& region) {
   for (const std::int32_t slot : region) {
     BandNode& node = nodes_[static_cast<std::size_t>(slot)];
     node.layer = is_beside_curve(phi_, lattice_, node.node, node.sides) ? 0 : outside;
+    node.has_sources = false;
   }
   for (std::uint8_t layer = 1; layer < outside; ++layer)
     for (const std::int32_t slot : region) {
@@ -124,13 +133,13 @@ void SparseBand<D>::follow(const std::vector<std::size_t>& changed_side) {
 }
 
 template <int D>
-void SparseBand<D>::renew(double limit_mm) {
+void SparseBand<D>::renew(const std::vector<std::int32_t>& slots, double limit_mm) {
   constexpr double tolerance = 0.1;
   const double h_mm = phi_.smallest_spacing_mm();
   std::vector<std::int32_t> outer;
   std::vector<std::size_t> beside;
-  for (std::size_t slot = 0; slot < nodes_.size(); ++slot) {
-    BandNode& node = nodes_[slot];
+  for (const std::int32_t slot : slots) {
+    BandNode& node = nodes_[static_cast<std::size_t>(slot)];
     if (node.layer == outside || !(node.moved_mm > limit_mm)) continue;
     node.moved_mm = 0;
     const double now = std::abs(static_cast<double>(phi_.values[node.node]));
@@ -140,14 +149,14 @@ void SparseBand<D>::renew(double limit_mm) {
     if (node.layer == 0)
       beside.push_back(node.node);
     else
-      outer.push_back(static_cast<std::int32_t>(slot));
+      outer.push_back(slot);
   }
   set_distances_beside_curve(phi_, lattice_, beside);
   derive(outer);
 }
 
 /// Distances from inner layers, then again with those of the same layer where there is a closer one beside a node:
-/// three times, as that one may have changed as well.
+/// three times at most, as that one may have changed as well.
 template <int D>
 void SparseBand<D>::derive(const std::vector<std::int32_t>& slots) {
   std::vector<std::int32_t> of_layer, among_equals;
@@ -158,16 +167,18 @@ void SparseBand<D>::derive(const std::vector<std::int32_t>& slots) {
       BandNode& node = nodes_[static_cast<std::size_t>(slot)];
       if (node.layer != layer) continue;
       node.moved_mm = 0;
+      node.has_sources = false;
       of_layer.push_back(slot);
       if (has_neighbour_in(node, layer)) among_equals.push_back(slot);
     }
     derive_at_once(of_layer, false);
-    for (int round = 0; round < 3; ++round) derive_at_once(among_equals, true);
+    for (int round = 0; round < 3 && !among_equals.empty(); ++round) among_equals = derive_at_once(among_equals, true);
   }
 }
 
+/// Returns the nodes whose distance has changed by more than a hundredth of a pixel.
 template <int D>
-void SparseBand<D>::derive_at_once(const std::vector<std::int32_t>& slots, bool also_same_layer) {
+std::vector<std::int32_t> SparseBand<D>::derive_at_once(const std::vector<std::int32_t>& slots, bool also_same_layer) {
   std::vector<float> distances(slots.size());
   const Pieces pieces{slots.size(), 1 << 13};
   const auto node_of = [&](std::size_t i) -> const BandNode& { return nodes_[static_cast<std::size_t>(slots[i])]; };
@@ -175,10 +186,15 @@ void SparseBand<D>::derive_at_once(const std::vector<std::int32_t>& slots, bool 
     for (std::size_t i = first; i < last; ++i)
       distances[i] = static_cast<float>(distance_from(node_of(i), also_same_layer));
   });
+  const auto tolerance = static_cast<float>(0.01 * phi_.smallest_spacing_mm());
+  std::vector<std::int32_t> changed;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     float& value = phi_.values[node_of(i).node];
+    const float before = value;
     value = is_inside(value) ? distances[i] : -distances[i];
+    if (also_same_layer && std::abs(value - before) > tolerance) changed.push_back(slots[i]);
   }
+  return changed;
 }
 
 template <int D>
@@ -212,10 +228,57 @@ double SparseBand<D>::distance_from(const BandNode& node, bool also_same_layer) 
 }
 
 template <int D>
+void SparseBand<D>::find_sources(std::size_t slot) {
+  BandNode& node = nodes_[slot];
+  RateSources<D> sources;
+  const float own = std::abs(phi_.values[node.node]);
+  std::int32_t any = 0;
+  float sum = 0;
+  lattice_.for_each_neighbour(node.sides, [&](int axis, std::ptrdiff_t step) {
+    const std::size_t there = lattice_.moved(node.node, step);
+    if (!has(there) || at(there).layer >= node.layer) return;
+    any = slot_[there];
+    const auto inverse_h = static_cast<float>(lattice_.inverse_spacing[axis]);
+    const float weight = (own - std::abs(phi_.values[there])) * (inverse_h * inverse_h);
+    if (!(weight > sources.weight[axis])) return;
+    sum += weight - sources.weight[axis];
+    sources.weight[axis] = weight;
+    sources.slot[axis] = any;
+  });
+  if (sum > 0) {
+    for (float& weight : sources.weight) weight /= sum;
+  } else {
+    sources.slot[0] = any;
+    sources.weight[0] = 1;
+  }
+  sources_[slot] = sources;
+  node.has_sources = true;
+}
+
+template <int D>
 void SparseBand<D>::list_layers() {
-  for (auto& list : layers_) list.clear();
-  for (std::size_t slot = 0; slot < nodes_.size(); ++slot)
-    if (nodes_[slot].layer < outside) layers_[nodes_[slot].layer].push_back(static_cast<std::int32_t>(slot));
+  const Pieces pieces{nodes_.size(), 1 << 16};
+  std::vector<std::array<std::vector<std::int32_t>, outside>> lists(pieces.number());
+  pieces.for_each([&](std::size_t piece, std::size_t first, std::size_t last) {
+    for (std::size_t slot = first; slot < last; ++slot)
+      if (nodes_[slot].layer < outside) lists[piece][nodes_[slot].layer].push_back(static_cast<std::int32_t>(slot));
+  });
+  for (std::size_t layer = 0; layer < outside; ++layer) {
+    layers_[layer].clear();
+    for (const auto& part : lists) layers_[layer].insert(layers_[layer].end(), part[layer].begin(), part[layer].end());
+  }
+}
+
+template <int D>
+void SparseBand<D>::cut_off(double width_mm) {
+  const auto width = static_cast<float>(width_mm);
+  Pieces{slot_.size(), 1 << 18}.for_each([&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t node = first; node < last; ++node) {
+      const float value = phi_.values[node];
+      const float beyond = is_inside(value) ? width : -width;
+      phi_.values[node] = slot_[node] < 0 || std::abs(value) > width ? beyond : value;
+    }
+  });
 }
 
 template class SparseBand<2>;

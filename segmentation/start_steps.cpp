@@ -130,7 +130,7 @@ std::optional<StartStep> parse_solid(const std::string& text, std::string_view w
     if (!word.starts_with(prefix)) continue;
     const std::string_view shape = word.substr(prefix.size());
     if (shape != "sphere" && shape != "box" && shape != "ellipsoid") return std::nullopt;
-    const Made made = make_solid(operation, shape, numbers);
+    Made made = make_solid(operation, shape, numbers);
     if (!made)
       refuse(text, shape == "sphere" ? "a centre and a radius in mm: X,Y,Z,R"
                    : shape == "box"  ? "a centre and three edges in mm: X,Y,Z,DX,DY,DZ"

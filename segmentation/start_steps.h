@@ -75,11 +75,11 @@ using StartStep = std::variant<GaussianStep, DiffusionStep, RangeStep, OtsuStep,
 bool is_filter(const StartStep& step);
 bool is_rule(const StartStep& step);
 
-/// One step from text, numbers in mm and grey values, positions in world LPS:
-/// gaussian:SIGMA (pixels) · diffusion:CONTRAST[,STEPS] · level:V · darker:V · range:LO,HI · otsu[:SHARE] ·
-/// otsu-darker[:SHARE] · like-seeds[:SPREAD] · {add,keep,remove}-sphere:X,Y,Z,R · {...}-box:X,Y,Z,DX,DY,DZ (centre,
-/// edges) ·
-/// {...}-ellipsoid:X,Y,Z,RX,RY,RZ · connected · grow:MM · shrink:MM · open:MM · close:MM · fill-holes · hull · largest.
+/// One step from text. Positions are world LPS mm; a box is given by its centre and its edges.
+///   gaussian:SIGMA (pixels) · diffusion:CONTRAST[,STEPS]
+///   level:V · darker:V · range:LO,HI · otsu[:SHARE] · otsu-darker[:SHARE] · like-seeds[:SPREAD]
+///   {add,keep,remove}-sphere:X,Y,Z,R · {...}-box:X,Y,Z,DX,DY,DZ · {...}-ellipsoid:X,Y,Z,RX,RY,RZ
+///   connected · grow:MM · shrink:MM · open:MM · close:MM · fill-holes · hull · largest
 /// Throws InputError naming the step and what it needs. (LabelStep has no text: it needs a volume.)
 StartStep parse_start_step(const std::string& text);
 

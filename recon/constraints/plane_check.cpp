@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "recon/constraints/empty_slices.h"
 #include "recon/constraints/plane_lines.h"
@@ -22,7 +24,34 @@ Eigen::AlignedBox2d region_of(const ContourSlice& slice, const Eigen::AlignedBox
 struct LatticePoint {
   std::size_t slice;
   Eigen::Vector2d point_in_slice_mm;
+  std::optional<std::size_t> across = {};  ///< the next parallel slice, when the point lies half-way to it
 };
+
+/// The next slice along the normal, if it is parallel and the gap is wide enough for something to hide in it.
+std::optional<std::size_t> next_along_normal(const ContourStack& stack, std::size_t s) {
+  constexpr double least_gap_pixels = 2;
+  const SlicePose& pose = stack.slices[s].pose;
+  std::optional<std::size_t> next;
+  double gap_mm = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < stack.slices.size(); ++i) {
+    const double height_mm = pose.signed_distance_mm(stack.slices[i].pose.origin_mm);
+    if (i == s || height_mm <= 1e-3 || height_mm >= gap_mm || !are_parallel(pose, stack.slices[i].pose)) continue;
+    next = i;
+    gap_mm = height_mm;
+  }
+  return gap_mm > least_gap_pixels * pose.spacing_mm.minCoeff() ? next : std::nullopt;
+}
+
+double gap_mm(const ContourStack& stack, const LatticePoint& point) {
+  const ContourSlice& slice = stack.slices[point.slice];
+  return slice.pose.signed_distance_mm(stack.slices[*point.across].pose.origin_mm);
+}
+
+Eigen::Vector3d position_mm(const ContourStack& stack, const LatticePoint& point) {
+  const SlicePose& pose = stack.slices[point.slice].pose;
+  const Eigen::Vector3d on_plane = pose.slice_to_world(point.point_in_slice_mm);
+  return point.across ? on_plane + 0.5 * gap_mm(stack, point) * pose.normal() : on_plane;
+}
 
 std::vector<LatticePoint> lattice_on(const ContourStack& stack, std::size_t max_points) {
   const Eigen::AlignedBox3d box = box_of_contours(stack);
@@ -39,8 +68,25 @@ std::vector<LatticePoint> lattice_on(const ContourStack& stack, std::size_t max_
     const double step_mm = step_pixels * stack.slices[s].pose.spacing_mm.minCoeff();
     for (double y = region.min().y(); y <= region.max().y(); y += step_mm)
       for (double x = region.min().x(); x <= region.max().x(); x += step_mm) lattice.push_back({s, {x, y}});
+    const std::optional<std::size_t> next = next_along_normal(stack, s);
+    if (!next || (stack.slices[s].contours.empty() && stack.slices[*next].contours.empty())) continue;
+    for (double y = region.min().y(); y <= region.max().y(); y += 2 * step_mm)
+      for (double x = region.min().x(); x <= region.max().x(); x += 2 * step_mm) lattice.push_back({s, {x, y}, next});
   }
   return lattice;
+}
+
+/// What f should be half-way between two slices when it has the other sign: 0 when they do not say, which is when they
+/// differ or their contours are nearer than the slices themselves.
+double expected_between_mm(const ContourStack& stack, const LatticePoint& point, bool is_positive) {
+  const ContourSlice &slice = stack.slices[point.slice], &across = stack.slices[*point.across];
+  const Eigen::Vector2d on_across = across.pose.world_to_slice(position_mm(stack, point));
+  const bool inside = is_inside(slice.contours, point.point_in_slice_mm);
+  if (inside == is_positive || inside != is_inside(across.contours, on_across)) return 0;
+  const double clear_mm = std::min(std::abs(signed_distance_mm(slice.contours, point.point_in_slice_mm)),
+                                   std::abs(signed_distance_mm(across.contours, on_across)));
+  if (clear_mm < 0.5 * gap_mm(stack, point)) return 0;
+  return inside ? clear_mm : -clear_mm;
 }
 
 /// Farthest first, leaving out points nearer to a chosen one of the same slice than half that one's distance.
@@ -104,8 +150,7 @@ PlaneCheck check_planes(const std::function<Eigen::VectorXd(const Eigen::MatrixX
   const std::vector<LatticePoint> lattice = lattice_on(stack, options.max_lattice_points);
   Eigen::MatrixXd points(3, static_cast<Eigen::Index>(lattice.size()));
   for (std::size_t i = 0; i < lattice.size(); ++i)
-    points.col(static_cast<Eigen::Index>(i)) =
-        stack.slices[lattice[i].slice].pose.slice_to_world(lattice[i].point_in_slice_mm);
+    points.col(static_cast<Eigen::Index>(i)) = position_mm(stack, lattice[i]);
   const Eigen::VectorXd f = values(points);
   const NearestContourPoint nearest(stack);
 
@@ -113,23 +158,32 @@ PlaneCheck check_planes(const std::function<Eigen::VectorXd(const Eigen::MatrixX
   tbb::parallel_for(std::size_t{0}, lattice.size(), [&](std::size_t i) {
     const ContourSlice& slice = stack.slices[lattice[i].slice];
     const double value = f[static_cast<Eigen::Index>(i)];
+    const auto bounded = [&](double distance_mm) {
+      const double bound_mm = nearest.distance_mm(points.col(static_cast<Eigen::Index>(i)));
+      return std::clamp(distance_mm, -bound_mm, bound_mm);
+    };
+    if (lattice[i].across) {
+      const double expected_mm = expected_between_mm(stack, lattice[i], value > 0);
+      if (expected_mm != 0) wrong_by_mm[i] = bounded(expected_mm);
+      return;
+    }
     if (is_inside(slice.contours, lattice[i].point_in_slice_mm) == (value > 0)) return;
     const double distance = slice.contours.empty() ? -half_gap_to_contours_mm(stack, slice)
                                                    : signed_distance_mm(slice.contours, lattice[i].point_in_slice_mm);
     const bool is_near =
         !slice.contours.empty() && std::abs(distance) <= options.tolerance_pixels * slice.pose.spacing_mm.minCoeff();
     if (is_near) return;
-    const double bound = nearest.distance_mm(points.col(static_cast<Eigen::Index>(i)));
-    wrong_by_mm[i] = std::clamp(distance, -bound, bound);
+    wrong_by_mm[i] = bounded(distance);
   });
 
   PlaneCheck check;
-  check.points = lattice.size();
   std::vector<Disagreement> all;
-  for (std::size_t i = 0; i < lattice.size(); ++i)
-    if (wrong_by_mm[i] != 0)
-      all.push_back({lattice[i].slice, points.col(static_cast<Eigen::Index>(i)), wrong_by_mm[i]});
-  check.wrong = all.size();
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    const bool is_wrong = wrong_by_mm[i] != 0;
+    if (is_wrong) all.push_back({lattice[i].slice, points.col(static_cast<Eigen::Index>(i)), wrong_by_mm[i]});
+    ++(lattice[i].across ? check.points_between : check.points);
+    (lattice[i].across ? check.wrong_between : check.wrong) += is_wrong ? 1 : 0;
+  }
   check.worst = spread_out(std::move(all), options.max_new_constraints);
   return check;
 }

@@ -34,6 +34,9 @@ SlicePose checked_pose(SlicePose pose, const std::string& where) {
       pose.origin_mm.allFinite() && pose.x_axis.allFinite() && pose.y_axis.allFinite() && pose.spacing_mm.allFinite();
   if (!finite)
     throw GeometryError(where, "the position or orientation has a value that is not a number", "repair the header");
+  constexpr double farthest_mm = 1e9;  // distances and their squares stay far from overflow
+  if (pose.origin_mm.cwiseAbs().maxCoeff() > farthest_mm || pose.spacing_mm.maxCoeff() > farthest_mm)
+    throw GeometryError(where, "the position or pixel spacing is beyond 1000 km", "repair the header");
   if (!(pose.spacing_mm.minCoeff() > 0))
     throw GeometryError(where, "the pixel spacing is not positive", "repair the header or give --spacing");
   const double skew = std::abs(pose.x_axis.dot(pose.y_axis));

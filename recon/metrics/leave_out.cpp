@@ -79,7 +79,9 @@ SliceSplit split_slices(const ContourStack& contours, int every) {
 SliceAgreement agreement_on_dropped(const ContourStack& contours, const SliceSplit& split,
                                     const ReconstructOptions& options, ReconstructReport& report,
                                     const Progress& progress) {
-  Reconstruction result = reconstruct(kept_slices(contours, split), options, progress);
+  ReconstructOptions tolerant = options;  // what a study loses shows in its distances
+  tolerant.accept_lost_contours = true;
+  Reconstruction result = reconstruct(kept_slices(contours, split), tolerant, progress);
   report = std::move(result.report);
   progress.report("compare", 0);
   return compare(contours, split, [&](const ContourSlice& slice) { return plane_section(result.surface, slice.pose); });

@@ -16,7 +16,7 @@ namespace isostack {
 
 namespace {
 
-using Key = Lattice::Key;
+using Key = CubicLattice::Key;
 
 bool is_crossed(const std::array<double, 8>& values) {
   const auto inside = [](double value) { return value >= 0; };
@@ -31,20 +31,21 @@ bool face_is_crossed(const std::array<double, 8>& values, int axis, int side) {
   return inside != 0 && inside != 4;
 }
 
-std::vector<Key> cells_around(const Lattice& lattice, const Eigen::Vector3d& seed_mm) {
+std::vector<Key> cells_around(const CubicLattice& lattice, const Eigen::Vector3d& seed_mm) {
   std::vector<Key> cells;
-  const Eigen::Vector3i centre = Lattice::node(lattice.cell_containing(seed_mm));
+  const Eigen::Vector3i centre = CubicLattice::node(lattice.cell_containing(seed_mm));
   for (int k = -1; k <= 1; ++k)
     for (int j = -1; j <= 1; ++j)
       for (int i = -1; i <= 1; ++i) {
         const Eigen::Vector3i cell = centre + Eigen::Vector3i(i, j, k);
-        if ((cell.array() >= 0).all() && lattice.contains_cell(Lattice::key(cell))) cells.push_back(Lattice::key(cell));
+        if ((cell.array() >= 0).all() && lattice.contains_cell(CubicLattice::key(cell)))
+          cells.push_back(CubicLattice::key(cell));
       }
   return cells;
 }
 
 /// Breadth first from the seeds' cells through crossed faces; returns the crossed cells in order.
-std::vector<Key> follow_surface(Lattice& lattice, const ScalarField& field,
+std::vector<Key> follow_surface(CubicLattice& lattice, const ScalarField& field,
                                 const std::vector<Eigen::Vector3d>& seeds_mm, const Progress& progress) {
   std::vector<Key> crossed, front;
   std::unordered_set<Key> seen;
@@ -62,7 +63,7 @@ std::vector<Key> follow_surface(Lattice& lattice, const ScalarField& field,
       for (int axis = 0; axis < 3; ++axis)
         for (int side = 0; side < 2; ++side) {
           if (!face_is_crossed(values, axis, side)) continue;
-          const Key neighbour = Lattice::neighbour(cell, axis, side == 0 ? -1 : 1);
+          const Key neighbour = CubicLattice::neighbour(cell, axis, side == 0 ? -1 : 1);
           if (lattice.contains_cell(neighbour) && seen.insert(neighbour).second) next.push_back(neighbour);
         }
     }
@@ -74,7 +75,7 @@ std::vector<Key> follow_surface(Lattice& lattice, const ScalarField& field,
 /// Gathers vertices (one per crossed lattice edge, plus polygon centres) and triangles.
 class MeshBuilder {
  public:
-  explicit MeshBuilder(const Lattice& lattice) : lattice_(lattice) {}
+  explicit MeshBuilder(const CubicLattice& lattice) : lattice_(lattice) {}
 
   void add_cell(Key cell) {
     for (const std::vector<int>& polygon : cell_polygons(lattice_.corner_values(cell))) {
@@ -109,11 +110,11 @@ class MeshBuilder {
 
   int vertex_on(Key cell, int edge_number) {
     const CellEdge& edge = cell_edges[static_cast<std::size_t>(edge_number)];
-    const Key low = cell + Lattice::key({edge.low & 1, edge.low >> 1 & 1, edge.low >> 2});
+    const Key low = cell + CubicLattice::key({edge.low & 1, edge.low >> 1 & 1, edge.low >> 2});
     auto& vertices = vertex_of_edge_[static_cast<std::size_t>(edge.axis)];
     const auto [entry, is_new] = vertices.emplace(low, static_cast<int>(segments_.size()));
     if (is_new) {
-      const Key high = Lattice::neighbour(low, edge.axis, 1);
+      const Key high = CubicLattice::neighbour(low, edge.axis, 1);
       segments_.push_back(
           {lattice_.position_mm(low), lattice_.position_mm(high), lattice_.value(low), lattice_.value(high)});
     }
@@ -128,14 +129,14 @@ class MeshBuilder {
     for (std::size_t i = 0; i < ring.size(); ++i) add_triangle(ring[i], ring[(i + 1) % ring.size()], centre);
   }
 
-  const Lattice& lattice_;
+  const CubicLattice& lattice_;
   TriangleMesh mesh_;
   std::array<std::unordered_map<Key, int>, 3> vertex_of_edge_;
   std::vector<CrossedSegment> segments_;
   std::vector<std::vector<int>> centres_;
 };
 
-std::vector<std::size_t> untouched(const Lattice& lattice, const std::vector<Eigen::Vector3d>& seeds_mm,
+std::vector<std::size_t> untouched(const CubicLattice& lattice, const std::vector<Eigen::Vector3d>& seeds_mm,
                                    const std::vector<Key>& crossed) {
   const std::unordered_set<Key> crossed_set(crossed.begin(), crossed.end());
   std::vector<std::size_t> seeds;
@@ -155,7 +156,7 @@ ExtractedSurface extract_surface(const ScalarField& field, const std::vector<Eig
   const auto was_cut = std::make_shared<bool>(false);
   const ScalarField cut_field =
       cut_to_bounds(field, {options.bounds, options.half_spaces, 1e-3 * options.resolution_mm}, was_cut);
-  Lattice lattice(options.bounds, options.resolution_mm);
+  CubicLattice lattice(options.bounds, options.resolution_mm);
   const std::vector<Key> crossed = follow_surface(lattice, cut_field, seeds_mm, progress);
   if (crossed.empty())
     throw GeometryError("surface", "the function has no zero set near the contours",

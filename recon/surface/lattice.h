@@ -12,13 +12,13 @@
 namespace isostack {
 
 /// Nodes of a cubic lattice over a box, addressed by 64-bit keys, with the values asked for so far.
-class Lattice {
+class CubicLattice {
  public:
   using Key = std::uint64_t;
 
   /// Covers `bounds` and one more cell on every side. Throws GeometryError when that takes more
   /// than 2^20 cells along an axis.
-  Lattice(const Eigen::AlignedBox3d& bounds, double spacing_mm);
+  CubicLattice(const Eigen::AlignedBox3d& bounds, double spacing_mm);
 
   static Key key(const Eigen::Vector3i& node);
   static Eigen::Vector3i node(Key key);

@@ -1,5 +1,6 @@
 // segment_head MATRIX slices|volume THREADS RMS [RIVAL_REGION]: bone by the level set of rival_itk_level_set: the same
-// equation (threshold range in HU, curvature 0.5), start, number of layers, bound on the RMS movement and on the steps.
+// equation (threshold range in HU, curvature 0.5), start, bound on the RMS movement and on the steps. ITK keeps three
+// layers on either side of the curve, isostack two; its result is a distance as wide as contours need.
 // RIVAL_REGION: the bytes that program wrote; the Dice coefficient with them is printed.
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -39,7 +40,7 @@ int segment_part(const HeadCt& head, std::size_t first, const std::array<int, D>
   LevelSetOptions options;
   options.max_steps = HeadCt::max_steps;
   options.tolerance_pixels = rms;
-  options.band_pixels = HeadCt::layers;
+  options.band_pixels = narrow_band_pixels<D>;
   const double hounsfield = (HeadCt::upper - HeadCt::lower) / 2;
   const auto result = evolve<D>(std::move(start), {{&range, hounsfield}, &curvature}, options);
   for (std::size_t i = 0; i < count; ++i) region[first + i] = result.phi.values[i] >= 0;

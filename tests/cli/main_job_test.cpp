@@ -11,11 +11,10 @@ namespace {
 using testing_support::file_text;
 using testing_support::ProgramRun;
 
-class MainJob : public testing_support::ProgramTest {
+class MainJob : public testing_support::SampleTest {
  protected:
   void SetUp() override {
-    ProgramTest::SetUp();
-    ASSERT_EQ(run_command(ISOSTACK_MAKE_PHANTOM " " + path("sample")).exit_code, 0);
+    SampleTest::SetUp();
     truth = nlohmann::json::parse(file_text(path("sample/truth.json")));
   }
   nlohmann::json truth;

@@ -11,12 +11,8 @@ namespace {
 
 using testing_support::ProgramRun;
 
-class Measure : public testing_support::ProgramTest {
+class Measure : public testing_support::SampleTest {
  protected:
-  void SetUp() override {
-    ProgramTest::SetUp();
-    ASSERT_EQ(run_command(ISOSTACK_MAKE_PHANTOM " " + path("sample")).exit_code, 0);
-  }
   /// A box from 0 to (x, 10, 10) mm.
   std::string box(const std::string& name, double x) const {
     std::ofstream file(path(name));

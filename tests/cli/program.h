@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -32,7 +33,8 @@ class ProgramTest : public testing::Test {
  protected:
   void SetUp() override {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder = std::filesystem::path(testing::TempDir()) / (std::string("isostack_cli_") + info->name());
+    folder = std::filesystem::path(testing::TempDir()) / (std::string("isostack_cli_") + info->test_suite_name() + "_" +
+                                                          info->name() + "_" + std::to_string(::getpid()));
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
   }
@@ -51,6 +53,20 @@ class ProgramTest : public testing::Test {
   ProgramRun isostack(const std::string& arguments) const { return run_command(ISOSTACK_PROGRAM " " + arguments); }
 
   std::filesystem::path folder;
+};
+
+/// Such a folder with the sample, an organ in oblique slices, in "sample".
+class SampleTest : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    ASSERT_EQ(run_command(ISOSTACK_MAKE_PHANTOM " " + path("sample")).exit_code, 0);
+  }
+  /// Its surface in organ.stl: few constraints and large cells, for tests of what happens to a surface.
+  ProgramRun reconstruct_sample(int max_constraints, const std::string& options) const {
+    return isostack("reconstruct " + path("sample/series") + " --level 25 --gaussian 1 --largest --max-constraints " +
+                    std::to_string(max_constraints) + " --resolution 2 --json " + options + " -o " + path("organ.stl"));
+  }
 };
 
 }  // namespace isostack::testing_support

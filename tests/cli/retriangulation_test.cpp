@@ -8,17 +8,9 @@ namespace {
 
 using testing_support::ProgramRun;
 
-class Retriangulation : public testing_support::ProgramTest {
+class Retriangulation : public testing_support::SampleTest {
  protected:
-  void SetUp() override {
-    ProgramTest::SetUp();
-    ASSERT_EQ(run_command(ISOSTACK_MAKE_PHANTOM " " + path("sample")).exit_code, 0);
-  }
-  ProgramRun reconstruct(const std::string& options) const {
-    return isostack("reconstruct " + path("sample/series") +
-                    " --level 25 --gaussian 1 --largest --max-constraints 800 --resolution 2 --json " + options +
-                    " -o " + path("organ.stl"));
-  }
+  ProgramRun reconstruct(const std::string& options) const { return reconstruct_sample(800, options); }
 };
 
 TEST_F(Retriangulation, IsReportedAndTheFileHoldsIt) {

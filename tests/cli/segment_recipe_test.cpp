@@ -11,11 +11,10 @@ namespace {
 using testing_support::file_text;
 using testing_support::ProgramRun;
 
-class SegmentRecipe : public testing_support::ProgramTest {
+class SegmentRecipe : public testing_support::SampleTest {
  protected:
   void SetUp() override {
-    ProgramTest::SetUp();
-    ASSERT_EQ(run_command(ISOSTACK_MAKE_PHANTOM " " + path("sample")).exit_code, 0);
+    SampleTest::SetUp();
     series = path("sample/series");
   }
   void expect_refusal(const std::string& arguments, const std::vector<std::string>& words) {

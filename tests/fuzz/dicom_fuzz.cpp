@@ -22,6 +22,7 @@ void read_images(const std::filesystem::path& path) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return isostack::fuzz::feed(isostack::fuzz::text_of(data, size), "input.dcm",
-                              [](const auto& path) { isostack::read_dicom_header(path); }, read_images);
+  return isostack::fuzz::feed(
+      isostack::fuzz::text_of(data, size), "input.dcm", [](const auto& path) { isostack::read_dicom_header(path); },
+      read_images);
 }

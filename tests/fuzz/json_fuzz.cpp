@@ -2,5 +2,6 @@
 #include "tests/fuzz/fuzz_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return isostack::fuzz::feed(isostack::fuzz::text_of(data, size), "input.json", [](const auto& path) { isostack::read_json_contours(path); });
+  return isostack::fuzz::feed(isostack::fuzz::text_of(data, size), "input.json",
+                              [](const auto& path) { isostack::read_json_contours(path); });
 }

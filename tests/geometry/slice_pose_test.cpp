@@ -73,13 +73,14 @@ TEST(CheckedPose, RefusesWhatIsNoPose) {
   };
   EXPECT_EQ(message_of(sagittal()), "");
   SlicePose skewed = sagittal(), stretched = sagittal(), flat = sagittal(), unplaced = sagittal(),
-            negative = sagittal();
+            negative = sagittal(), remote = sagittal();
   skewed.y_axis = Eigen::Vector3d(0, 0.01, -1).normalized();
   stretched.x_axis *= 1.01;
   flat.spacing_mm.x() = 0;
   negative.spacing_mm.y() = -1;
   unplaced.origin_mm.z() = std::numeric_limits<double>::quiet_NaN();
-  for (const SlicePose& pose : {skewed, stretched, flat, negative, unplaced})
+  remote.origin_mm.x() = 1e300;
+  for (const SlicePose& pose : {skewed, stretched, flat, negative, unplaced, remote})
     EXPECT_EQ(message_of(pose).rfind("slice 7: ", 0), 0u) << message_of(pose);
 }
 

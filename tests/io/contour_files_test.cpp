@@ -138,6 +138,10 @@ TEST(ContourFilesJson, EachMistakeIsNamed) {
   EXPECT_NE(short_point.find("2 numbers"), std::string::npos) << short_point;
   EXPECT_NE(message_with([](auto& json, auto&) { json["version"] = 9; }).find("docs/formats.md"), std::string::npos);
   EXPECT_NE(message_with([](auto& json, auto&) { json["version"] = "one"; }).find("a.json"), std::string::npos);
+  EXPECT_NE(message_with([](auto& json, auto&) { json["version"] = 1e300; }).find("docs/formats.md"),
+            std::string::npos);
+  const auto endless = message_with([](auto&, auto& slice) { slice["size_pixels"] = {1e300, 1}; });
+  EXPECT_NE(endless.find("too large a number"), std::string::npos) << endless;
   EXPECT_NE(message_with([](auto&, auto& slice) { slice.erase("pose"); }).find("pose"), std::string::npos);
 }
 

@@ -9,6 +9,7 @@ namespace isostack {
 namespace {
 
 using testing::bytes_of;
+using testing::damaged;
 using testing::message_of;
 using testing::TemporaryFolder;
 using testing::write_bytes;
@@ -115,20 +116,18 @@ TEST(Csl, EveryTruncationAndDamageIsRefusedWithItsLine) {
     write_bytes(folder / "a.csl", whole.substr(0, length));
     EXPECT_THROW(read_contours(folder / "a.csl"), Error) << length;
   }
-  const auto damaged = [&](const std::string& from, const std::string& to) {
-    std::string text = whole;
-    text.replace(text.find(from), from.size(), to);
-    write_bytes(folder / "a.csl", text);
+  const auto refusal = [&](const std::string& from, const std::string& to) {
+    write_bytes(folder / "a.csl", damaged(whole, from, to));
     return message_of([&] { read_contours(folder / "a.csl"); });
   };
-  EXPECT_NE(damaged("2 3\n", "1000000000 3\n").find("line 2: the number of planes is 1000000000"), std::string::npos);
-  EXPECT_NE(damaged("16 4", "999999999 4").find("line 4: the number of vertices"), std::string::npos);
-  EXPECT_NE(damaged("10 0 5", "10 nan 5").find("line 7: 'nan' is no number"), std::string::npos);
-  EXPECT_NE(damaged("10 0 5", "10 0 6").find("plane 1: a vertex lies 1 mm off"), std::string::npos);
-  EXPECT_NE(damaged("0 0 2 -10", "0 0 0 -10").find("no normal"), std::string::npos);
-  EXPECT_NE(damaged("2 8 9 10 11", "2 8 9 10 99").find("vertex 99 of 16"), std::string::npos);
-  EXPECT_NE(damaged("4h0", "4x0").find("neither a number"), std::string::npos);
-  EXPECT_NE(damaged("4 1 0 1 2 3", "4 1 0 2 1 3").find("crosses itself"), std::string::npos);
+  EXPECT_NE(refusal("2 3\n", "1000000000 3\n").find("line 2: the number of planes is 1000000000"), std::string::npos);
+  EXPECT_NE(refusal("16 4", "999999999 4").find("line 4: the number of vertices"), std::string::npos);
+  EXPECT_NE(refusal("10 0 5", "10 nan 5").find("line 7: 'nan' is no number"), std::string::npos);
+  EXPECT_NE(refusal("10 0 5", "10 0 6").find("plane 1: a vertex lies 1 mm off"), std::string::npos);
+  EXPECT_NE(refusal("0 0 2 -10", "0 0 0 -10").find("no normal"), std::string::npos);
+  EXPECT_NE(refusal("2 8 9 10 11", "2 8 9 10 99").find("vertex 99 of 16"), std::string::npos);
+  EXPECT_NE(refusal("4h0", "4x0").find("neither a number"), std::string::npos);
+  EXPECT_NE(refusal("4 1 0 1 2 3", "4 1 0 2 1 3").find("crosses itself"), std::string::npos);
 }
 
 }  // namespace

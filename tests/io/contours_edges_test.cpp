@@ -10,6 +10,7 @@ namespace isostack {
 namespace {
 
 using testing::bytes_of;
+using testing::damaged;
 using testing::message_of;
 using testing::TemporaryFolder;
 using testing::write_bytes;
@@ -98,17 +99,15 @@ TEST(EdgeContours, EveryTruncationAndDamageIsRefused) {
     write_bytes(folder / "a.contour", whole.substr(0, length));
     EXPECT_THROW(read_contours(folder / "a.contour"), Error) << length;
   }
-  const auto damaged = [&](const std::string& from, const std::string& to) {
-    std::string text = whole;
-    text.replace(text.find(from), from.size(), to);
-    write_bytes(folder / "a.contour", text);
+  const auto refusal = [&](const std::string& from, const std::string& to) {
+    write_bytes(folder / "a.contour", damaged(whole, from, to));
     return message_of([&] { read_contours(folder / "a.contour"); });
   };
-  EXPECT_NE(damaged("10 11\n", "10 1000000000\n").find("line 3: the number of edges is 1000000000"), std::string::npos);
-  EXPECT_NE(damaged("3 10 10", "3 10 inf").find("line 6: 'inf' is no number"), std::string::npos);
-  EXPECT_NE(damaged("3 10 10", "4 10 10").find("plane 1: a vertex lies"), std::string::npos);
-  EXPECT_NE(damaged("4 5 2 0", "4 4 2 0").find("plane 1: the boundary of label 2 ends at vertex 4"), std::string::npos);
-  EXPECT_NE(damaged("4 5 2 0", "4 15 2 0").find("vertex 15 of 10"), std::string::npos);
+  EXPECT_NE(refusal("10 11\n", "10 1000000000\n").find("line 3: the number of edges is 1000000000"), std::string::npos);
+  EXPECT_NE(refusal("3 10 10", "3 10 inf").find("line 6: 'inf' is no number"), std::string::npos);
+  EXPECT_NE(refusal("3 10 10", "4 10 10").find("plane 1: a vertex lies"), std::string::npos);
+  EXPECT_NE(refusal("4 5 2 0", "4 4 2 0").find("plane 1: the boundary of label 2 ends at vertex 4"), std::string::npos);
+  EXPECT_NE(refusal("4 5 2 0", "4 15 2 0").find("vertex 15 of 10"), std::string::npos);
 }
 
 }  // namespace

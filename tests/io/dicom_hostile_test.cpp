@@ -90,6 +90,18 @@ TEST(DicomHostile, MissingTagsAreNamed) {
   }
 }
 
+TEST(DicomHostile, PairsOfLettersThatAreNoVrAreDamage) {
+  const TemporaryFolder folder;
+  const std::string whole = picture_at(0, "1.2.3").file();
+  for (const auto& [vr, wrong] : {std::pair{"UL", " L"}, {"UI", "S "}, {"CS", "S "}, {"DS", "S A"}}) {
+    std::string bytes = whole;
+    bytes.replace(bytes.find(vr, 132), 2, wrong, 2);
+    write_bytes(folder / "x.dcm", bytes);
+    EXPECT_NE(message_of([&] { read_dicom_header(folder / "x.dcm"); }).find("cut off or damaged"), std::string::npos)
+        << vr;
+  }
+}
+
 TEST(DicomHostile, ValuesThatAreNoNumbersAreMissing) {
   const TemporaryFolder folder;
   for (const char* position : {"", "a\\b\\c", "1\\2", "1e999\\0\\0", "nan\\0\\0"}) {

@@ -64,6 +64,13 @@ std::string message_of(Call call) {
   return {};
 }
 
+/// A file's text with the first `from` replaced by `to`.
+inline std::string damaged(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
 /// A pose with no axis along any world axis and pixels that are not square.
 inline SlicePose oblique_pose() {
   const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -0.5).normalized()) *

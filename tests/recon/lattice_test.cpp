@@ -13,36 +13,36 @@ Eigen::AlignedBox3d box() { return {Eigen::Vector3d(-3, 10, 100), Eigen::Vector3
 TEST(Lattice, KeysRoundTripAndStep) {
   const int far = (1 << 20) - 1;
   for (const Eigen::Vector3i& node : {Eigen::Vector3i(0, 0, 0), Eigen::Vector3i(1, 2, 3), Eigen::Vector3i(far, 5, far)})
-    EXPECT_EQ(Lattice::node(Lattice::key(node)), node);
-  const Lattice::Key key = Lattice::key({10, 20, 30});
-  EXPECT_EQ(Lattice::node(Lattice::neighbour(key, 0, -1)), Eigen::Vector3i(9, 20, 30));
-  EXPECT_EQ(Lattice::node(Lattice::neighbour(key, 1, 2)), Eigen::Vector3i(10, 22, 30));
-  EXPECT_EQ(Lattice::node(Lattice::neighbour(key, 2, -30)), Eigen::Vector3i(10, 20, 0));
+    EXPECT_EQ(CubicLattice::node(CubicLattice::key(node)), node);
+  const CubicLattice::Key key = CubicLattice::key({10, 20, 30});
+  EXPECT_EQ(CubicLattice::node(CubicLattice::neighbour(key, 0, -1)), Eigen::Vector3i(9, 20, 30));
+  EXPECT_EQ(CubicLattice::node(CubicLattice::neighbour(key, 1, 2)), Eigen::Vector3i(10, 22, 30));
+  EXPECT_EQ(CubicLattice::node(CubicLattice::neighbour(key, 2, -30)), Eigen::Vector3i(10, 20, 0));
 }
 
 TEST(Lattice, CoversTheBoxAndACellMore) {
   const double spacing = 0.8;
-  const Lattice lattice(box(), spacing);
+  const CubicLattice lattice(box(), spacing);
   for (int c = 0; c < 8; ++c) {
     const auto corner = box().corner(static_cast<Eigen::AlignedBox3d::CornerType>(c));
-    const Lattice::Key cell = lattice.cell_containing(corner);
+    const CubicLattice::Key cell = lattice.cell_containing(corner);
     const Eigen::Vector3d offset = corner - lattice.position_mm(cell);
     EXPECT_GE(offset.minCoeff(), -1e-9);
     EXPECT_LE(offset.maxCoeff(), spacing + 1e-9);
     for (int axis = 0; axis < 3; ++axis)
-      for (const int step : {-1, 1}) EXPECT_TRUE(lattice.contains_cell(Lattice::neighbour(cell, axis, step)));
+      for (const int step : {-1, 1}) EXPECT_TRUE(lattice.contains_cell(CubicLattice::neighbour(cell, axis, step)));
   }
 }
 
 TEST(Lattice, StepsBeyondItsEndsAreOutside) {
-  const Lattice lattice(box(), 0.8);
-  const Lattice::Key first = Lattice::key({0, 0, 0});
+  const CubicLattice lattice(box(), 0.8);
+  const CubicLattice::Key first = CubicLattice::key({0, 0, 0});
   EXPECT_TRUE(lattice.contains_cell(first));
   for (int axis = 0; axis < 3; ++axis) {
-    EXPECT_FALSE(lattice.contains_cell(Lattice::neighbour(first, axis, -1))) << axis;
-    Lattice::Key cell = first;
+    EXPECT_FALSE(lattice.contains_cell(CubicLattice::neighbour(first, axis, -1))) << axis;
+    CubicLattice::Key cell = first;
     int cells = 0;
-    for (; lattice.contains_cell(cell); cell = Lattice::neighbour(cell, axis, 1)) ++cells;
+    for (; lattice.contains_cell(cell); cell = CubicLattice::neighbour(cell, axis, 1)) ++cells;
     const double length = box().sizes()[axis];
     EXPECT_GE(cells * 0.8, length + 1.6 - 1e-9);
     EXPECT_LE(cells * 0.8, length + 2.4 + 1e-9);
@@ -50,20 +50,20 @@ TEST(Lattice, StepsBeyondItsEndsAreOutside) {
 }
 
 TEST(Lattice, PointsOutsideGoToTheNearestCell) {
-  const Lattice lattice(box(), 0.8);
-  EXPECT_EQ(lattice.cell_containing({-1e5, -1e5, -1e5}), Lattice::key({0, 0, 0}));
+  const CubicLattice lattice(box(), 0.8);
+  EXPECT_EQ(lattice.cell_containing({-1e5, -1e5, -1e5}), CubicLattice::key({0, 0, 0}));
   EXPECT_TRUE(lattice.contains_cell(lattice.cell_containing({1e5, 1e5, 1e5})));
 }
 
 TEST(Lattice, EvaluatesEachNodeOnceAtItsPlace) {
-  Lattice lattice(box(), 0.8);
+  CubicLattice lattice(box(), 0.8);
   std::size_t evaluated = 0;
   ScalarField field;
   field.values = [&](const Eigen::Matrix3Xd& points) -> Eigen::VectorXd {
     evaluated += static_cast<std::size_t>(points.cols());
     return (points.row(0) + 10 * points.row(1) + 100 * points.row(2)).transpose();
   };
-  const Lattice::Key cell = lattice.cell_containing({0, 11, 100.5}), next = Lattice::neighbour(cell, 0, 1);
+  const CubicLattice::Key cell = lattice.cell_containing({0, 11, 100.5}), next = CubicLattice::neighbour(cell, 0, 1);
   lattice.evaluate_corners({cell}, field);
   EXPECT_EQ(evaluated, 8u);
   lattice.evaluate_corners({cell, next}, field);
@@ -76,9 +76,9 @@ TEST(Lattice, EvaluatesEachNodeOnceAtItsPlace) {
 }
 
 TEST(Lattice, RefusesResolutionsItCannotAddress) {
-  EXPECT_THROW(Lattice(box(), 1e-6), GeometryError);
-  EXPECT_THROW(Lattice(box(), 0), GeometryError);
-  EXPECT_THROW(Lattice(box(), -1), GeometryError);
+  EXPECT_THROW(CubicLattice(box(), 1e-6), GeometryError);
+  EXPECT_THROW(CubicLattice(box(), 0), GeometryError);
+  EXPECT_THROW(CubicLattice(box(), -1), GeometryError);
 }
 
 }  // namespace

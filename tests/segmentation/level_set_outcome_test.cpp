@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -55,6 +56,31 @@ TEST(LevelSetOutcome, ConstantImageLeavesTheCurveWhereItIs) {
   const auto result = evolve<2>(disc(5), {&regions});
   EXPECT_EQ(result.stop, LevelSetStop::converged);
   EXPECT_EQ(result.rms_change_pixels, 0);
+}
+
+TEST(LevelSetOutcome, CancellingEndsItAfterTheStep) {
+  ConstantTerm<2> grow(1);
+  int steps = 0;
+  Progress progress;
+  progress.on_report = [&](std::string_view, double fraction) { EXPECT_DOUBLE_EQ(fraction, ++steps / 100.0); };
+  progress.is_cancelled = [&] { return steps == 3; };
+  EXPECT_THROW(evolve<2>(disc(5), {&grow}, {}, progress), Cancelled);
+  EXPECT_EQ(steps, 3);
+}
+
+TEST(LevelSetOutcome, NarrowResultHasTheCurveOfTheWideOneAndItsWidthBeyond) {
+  const auto image = disc(9.3);
+  ThresholdRangeTerm<2> range(image, 0, 30, 3);
+  LevelSetOptions options;
+  const auto wide = evolve<2>(disc(5), {&range}, options);
+  options.band_pixels = narrow_band_pixels<2>;
+  const auto narrow = evolve<2>(disc(5), {&range}, options);
+  EXPECT_EQ(narrow.steps, wide.steps);
+  for (std::size_t node = 0; node < image.values.size(); ++node) {
+    EXPECT_EQ(narrow.phi.values[node] >= 0, wide.phi.values[node] >= 0);
+    // Distances the evolution keeps are corrected where they are off by a tenth of a pixel.
+    EXPECT_NEAR(narrow.phi.values[node], std::clamp(wide.phi.values[node], -2.0f, 2.0f), 0.1);
+  }
 }
 
 TEST(LevelSetOutcome, OneAndSeveralThreadsGiveTheSame) {
