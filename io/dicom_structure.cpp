@@ -46,6 +46,7 @@ class Walk {
   std::string meta_information() {
     std::string uid;
     std::uintmax_t announced_end = 0;
+    if (next_group() != 2) throw Damaged();  // GDCM would guess how the file is written
     while (position_ < size_ && next_group() == 2) {
       const Element element = next({});
       if (element.vr == "SQ" || (element.tag == meta_length && element.length != 4)) throw Damaged();
@@ -157,7 +158,16 @@ class Walk {
     return is_sequence;
   }
 
+  /// Only sequences, and in fragments pixels, may leave their length open; GDCM ends the program on others.
+  static bool is_possible(const Element& element) {
+    if (element.tag == pixel_data && element.vr == "SQ") return false;
+    if (element.length != undefined_length) return true;
+    return element.tag == pixel_data ? element.vr == "OB" || element.vr == "OW"
+                                     : element.vr == "SQ" || element.vr == "UN";
+  }
+
   void value(const Element& element, const Encoding& encoding, int depth) {
+    if (encoding.explicit_vr && !is_possible(element)) throw Damaged();
     const bool is_undefined = element.length == undefined_length;
     if (!is_undefined && element.vr != "SQ" && !is_implicit_sequence(element, encoding)) return skip(element.length);
     if (depth > deepest_nesting) throw Damaged();

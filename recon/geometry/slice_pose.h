@@ -29,7 +29,7 @@ struct SlicePose {
 };
 
 /// Throws GeometryError naming `where` unless the axes are orthonormal (to 1e-3),
-/// the spacing is positive and every number is finite. Axes are re-orthonormalised.
+/// the spacing is positive and every number is finite and below 1e9 mm. Axes are re-orthonormalised.
 SlicePose checked_pose(SlicePose pose, const std::string& where);
 
 /// True when the two planes' normals differ by less than `angle_rad`, ignoring their sign.

@@ -1,6 +1,7 @@
 #include <random>
 
 #include "dicom_bytes.h"
+#include "io/dicom_header.h"
 #include "io/inspect.h"
 #include "io/read_slices.h"
 
@@ -93,13 +94,19 @@ TEST(DicomHostile, MissingTagsAreNamed) {
 TEST(DicomHostile, PairsOfLettersThatAreNoVrAreDamage) {
   const TemporaryFolder folder;
   const std::string whole = picture_at(0, "1.2.3").file();
-  for (const auto& [vr, wrong] : {std::pair{"UL", " L"}, {"UI", "S "}, {"CS", "S "}, {"DS", "S A"}}) {
+  for (const auto& [vr, wrong] : {std::pair{"UL", " L"}, {"UI", "S "}, {"CS", "S "}, {"DS", " D"}}) {
     std::string bytes = whole;
-    bytes.replace(bytes.find(vr, 132), 2, wrong, 2);
+    bytes.replace(bytes.find(vr, 132), 2, wrong);
     write_bytes(folder / "x.dcm", bytes);
     EXPECT_NE(message_of([&] { read_dicom_header(folder / "x.dcm"); }).find("cut off or damaged"), std::string::npos)
         << vr;
   }
+}
+
+TEST(DicomHostile, FilesMustSayHowTheyAreWritten) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "x.dcm", std::string(128, '\0') + "DICM" + picture_at(0, "1.2.3").encoded({}));
+  EXPECT_NE(message_of([&] { read_dicom_header(folder / "x.dcm"); }).find("cut off or damaged"), std::string::npos);
 }
 
 TEST(DicomHostile, ValuesThatAreNoNumbersAreMissing) {

@@ -52,7 +52,7 @@ TEST(PlaneCheck, FindsAMissingPart) {
   const ContourStack stack = sphere({-10, 0, 10});
   const Eigen::Vector3d normal = stack.slices[0].pose.normal();
   const PlaneCheck check =
-      check_planes(values_of([&](const auto& p) { return p.dot(normal) > 5 ? -1.0 : sphere_mm(p, radius_mm); }), stack);
+      check_planes(values_of([&](const auto& p) { return p.dot(normal) > 6 ? -1.0 : sphere_mm(p, radius_mm); }), stack);
   ASSERT_GT(check.wrong, 0u);
   for (const Disagreement& d : check.worst) {
     EXPECT_EQ(d.slice, 2u);
@@ -62,6 +62,28 @@ TEST(PlaneCheck, FindsAMissingPart) {
   const double rim = std::sqrt(800.0) - 1, expected = 3.14159 * rim * rim / 4;
   EXPECT_NEAR(static_cast<double>(check.wrong), expected, 0.05 * expected);
   EXPECT_NEAR(check.worst.front().distance_mm, std::sqrt(800.0), 1.5) << "the deepest point comes first";
+}
+
+TEST(PlaneCheck, FindsWhatNeitherNeighbourShows) {
+  const ContourStack stack = sphere({-10, 0, 10});
+  const SlicePose& pose = stack.slices[0].pose;
+  // Half-way between two slices: a ball of 4 mm far outside both contours, or hollow far inside them.
+  for (const double sign : {1.0, -1.0}) {
+    const Eigen::Vector3d centre = (sign > 0 ? radius_mm + 10 : 0) * pose.x_axis + 5 * pose.normal();
+    const PlaneCheck check =
+        check_planes(values_of([&](const auto& p) {
+                       const double ball_mm = 4 - (p - centre).norm();
+                       const double truth_mm = sphere_mm(p, radius_mm);
+                       return sign > 0 ? std::max(truth_mm, ball_mm) : std::min(truth_mm, -ball_mm);
+                     }),
+                     stack);
+    EXPECT_EQ(check.wrong, 0u);
+    ASSERT_GT(check.wrong_between, 0u);
+    for (const Disagreement& d : check.worst) {
+      EXPECT_LT((d.point_mm - centre).norm(), 4);
+      EXPECT_LT(d.distance_mm * sign, -5) << "no contour is nearer than half the gap";
+    }
+  }
 }
 
 TEST(PlaneCheck, EmptySlicesMustStayEmptyEvenWhenSlicesAreThin) {
