@@ -175,15 +175,19 @@ OrganSurface reconstruct_organ(const ContourStack& contours, const ReconstructOp
   BoundedField bounded = bounded_field(organ, options);
   std::vector<ContourSample> lost = extract_organ(organ, bounded, options, progress, result);
 
+  // Chords of cells coarser than a pixel, which were asked for, are nothing to repair.
+  const double asked_pixels = options.resolution_mm / organ.pixel_mm;
+  const double tolerance_pixels =
+      asked_pixels > 1 ? std::max(options.section_tolerance_pixels, asked_pixels) : options.section_tolerance_pixels;
   const bool sections_repairable = options.smoothing <= 0 && !options.tolerance_mm && options.caps != Caps::open;
   for (int round = 0; sections_repairable && round < options.section_rounds; ++round) {
     progress.report("sections", 0);
     const Stopwatch repair_watch;
-    SectionDeviations deviations = section_deviations(result.surface, contours, options.section_tolerance_pixels);
+    SectionDeviations deviations = section_deviations(result.surface, contours, tolerance_pixels);
     if (round == 0 && options.resolution_mm <= 0 && deviations.mean_pixels > coarse_mean_pixels) {
       organ.cell_pixels = 0.5;
       lost = extract_organ(organ, bounded, options, progress, result);
-      deviations = section_deviations(result.surface, contours, options.section_tolerance_pixels);
+      deviations = section_deviations(result.surface, contours, tolerance_pixels);
     }
     if (deviations.empty()) break;
     std::optional<ImplicitFunction> repaired = fit.repair(deviations, organ.function);
