@@ -43,6 +43,7 @@ nlohmann::json to_json(const ReconstructReport& report) {
           {"plane_check",
            {{"points", report.plane_points},
             {"wrong", report.plane_points_wrong},
+            {"wrong_between_slices", report.between_points_wrong},
             {"constraints_added", report.plane_constraints}}},
           {"contour_residual_mm",
            {{"mean", report.contour_residual.mean_mm},

@@ -9,13 +9,13 @@ namespace isostack {
 
 namespace {
 
-/// Index of the sample of the point's slice nearest to it; -1 where the slice has none.
-Eigen::Index nearest_sample(const std::vector<ContourSample>& samples, const StrayPoint& stray) {
+/// The sample of `candidates` nearest to the point; -1 where there is none.
+Eigen::Index nearest_sample(const std::vector<ContourSample>& samples, const std::vector<std::size_t>& candidates,
+                            const Eigen::Vector2d& point_in_slice_mm) {
   Eigen::Index nearest = -1;
   double least = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (samples[i].slice != stray.slice) continue;
-    const double distance = (samples[i].point_in_slice_mm - stray.point_in_slice_mm).squaredNorm();
+  for (const std::size_t i : candidates) {
+    const double distance = (samples[i].point_in_slice_mm - point_in_slice_mm).squaredNorm();
     if (nearest < 0 || distance < least) least = distance, nearest = static_cast<Eigen::Index>(i);
   }
   return nearest;
@@ -62,9 +62,11 @@ void ContourFit::add_strays() {
   std::vector<Eigen::Vector3d> points_mm;
   std::vector<double> values_mm;
   const Eigen::Index before = built_.constraints.values.size();
+  std::vector<std::vector<std::size_t>> samples_on(contours_.slices.size());
+  for (std::size_t i = 0; i < samples_.size(); ++i) samples_on[samples_[i].slice].push_back(i);
   for (const StrayPoint& stray : strays_) {
     const double value_mm = std::clamp(stray.distance_mm, -pixel_mm_, pixel_mm_);
-    const Eigen::Index sample = nearest_sample(samples_, stray);
+    const Eigen::Index sample = nearest_sample(samples_, samples_on[stray.slice], stray.point_in_slice_mm);
     if (sample >= 0)
       built_.partners.push_back({before + static_cast<Eigen::Index>(points_mm.size()), sample, value_mm});
     points_mm.push_back(contours_.slices[stray.slice].pose.slice_to_world(stray.point_in_slice_mm));
