@@ -11,6 +11,7 @@ void add_info(CLI::App& app, Session& session);
 void add_segment(CLI::App& app, Session& session);
 void add_reconstruct(CLI::App& app, Session& session);
 void add_measure(CLI::App& app, Session& session);
+void add_morph(CLI::App& app, Session& session);
 void add_view(CLI::App& app, Session& session);
 void add_convert(CLI::App& app, Session& session);
 void add_run(CLI::App& app, Session& session);

@@ -7,8 +7,10 @@
 #include "cli/commands.h"
 #include "cli/convert_inputs.h"
 #include "cli/input_options.h"
+#include "cli/label_inputs.h"
 #include "cli/label_outputs.h"
 #include "cli/like_options.h"
+#include "cli/outputs.h"
 #include "cli/retriangulation.h"
 #include "io/contour_files.h"
 #include "io/formats.h"
@@ -75,6 +77,7 @@ void convert_contours(const ConvertCommand& command, Session& session) {
                      "use .vtp, .json, .csl, .contour or .dcm, or make surfaces with `reconstruct`");
   const std::vector<ContourStack> organs = organs_of(command, session);
   if (format->says_every_plane) note_planes_left_open(organs, session);
+  note_dropped_organs(organs, command.output, session);
   write_contours(organs, command.output, write_options(command));
 }
 
@@ -103,6 +106,9 @@ void convert_mesh(const ConvertCommand& command, Session& session) {
 }
 
 void convert_labels(const ConvertCommand& command, Session& session) {
+  if (find_format(command.output, &Format::write_contours) && !find_format(command.output, &Format::write_labels) &&
+      read_label_planes(command.path()).size() > 1)  // contours are all that can hold them
+    return write_contours(organs_in_labels(command.input, session), command.output, write_options(command));
   if (!find_format(command.output, &Format::write_labels))
     throw_other_kind(command, "labels", "use .nii.gz, .nrrd, .mha or .dcm, or trace contours with `segment`");
   const LabelMap labels = read_labels(command.path());

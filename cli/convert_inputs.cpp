@@ -63,7 +63,7 @@ InputKind kind_of(const std::filesystem::path& input, const std::filesystem::pat
   const bool can_be_labels = may_hold_labels(input) && find_format(output, &Format::write_labels);
   if (holds_named_organs(input)) return InputKind::kLabels;
   if (can_be_labels && (holds_labels_only(output) || names_organs(input))) return InputKind::kLabels;
-  if (has_dicom_magic(input) || find_format(input, &Format::read_slices) || find_format(input, &Format::read_volume))
+  if (looks_like_dicom(input) || find_format(input, &Format::read_slices) || find_format(input, &Format::read_volume))
     return InputKind::kVolume;
   format_for(input, &Format::read_mesh, "a file to convert");  // throws
   return InputKind::kMesh;
@@ -71,7 +71,7 @@ InputKind kind_of(const std::filesystem::path& input, const std::filesystem::pat
 
 StoredVolume read_as_volume(const InputOptions& input, Session& session) {
   const std::filesystem::path& path = input.paths.front();
-  if (std::filesystem::is_regular_file(path) && !has_dicom_magic(path) &&
+  if (std::filesystem::is_regular_file(path) && !looks_like_dicom(path) &&
       find_format(path, &Format::read_stored_volume))
     return read_stored_volume(path);
   const SliceStack stack = read_images(input, session);

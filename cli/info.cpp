@@ -39,9 +39,13 @@ nlohmann::json image_json(const SeriesSummary& s) {
 }
 
 nlohmann::json to_json(const OrganSummary& organ) {
-  nlohmann::json entry = {{"name", organ.name},          {"type", organ.type},
-                          {"slices", organ.slice_count}, {"contours", organ.contour_count},
-                          {"points", organ.point_count}, {"color", nullptr}};
+  nlohmann::json entry = {{"name", organ.name}, {"type", organ.type}, {"color", nullptr}};
+  if (organ.number > 0) {
+    entry.update({{"number", organ.number}, {"frames", organ.frame_count}, {"voxels", nullptr}});
+    if (organ.voxel_count) entry["voxels"] = *organ.voxel_count;
+  } else {
+    entry.update({{"slices", organ.slice_count}, {"contours", organ.contour_count}, {"points", organ.point_count}});
+  }
   if (organ.color) entry["color"] = {organ.color->red, organ.color->green, organ.color->blue};
   return entry;
 }
@@ -49,6 +53,10 @@ nlohmann::json to_json(const OrganSummary& organ) {
 std::string to_text(const OrganSummary& organ) {
   const std::string color =
       organ.color ? fmt::format("#{:02x}{:02x}{:02x}", organ.color->red, organ.color->green, organ.color->blue) : "";
+  if (organ.number > 0)
+    return fmt::format("   segment {:<4} {:<24} {:<12} {:<7} {} frames{}\n", organ.number, organ.name, organ.type,
+                       color, organ.frame_count,
+                       organ.voxel_count ? fmt::format(", {} voxels", *organ.voxel_count) : std::string());
   return fmt::format("   ROI          {:<24} {:<12} {:<7} {} contours on {} slices, {} points\n", organ.name,
                      organ.type, color, organ.contour_count, organ.slice_count, organ.point_count);
 }

@@ -29,6 +29,15 @@ ReadOptions InputOptions::read_options() const {
 void add_reading_options(CLI::App& command, InputOptions& options) {
   command.add_option("IN", options.paths, "DICOM folder or file, NIfTI, NRRD, MetaImage, image folder, or contours")
       ->required();
+  add_source_options(command, options);
+  command.add_option("--spacing", options.spacing_mm, "Column, row and slice distance in mm of a PNG or TIFF stack")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::PositiveNumber)
+      ->type_name("X,Y,Z");
+}
+
+void add_source_options(CLI::App& command, InputOptions& options) {
   command.add_option("--series", options.series, "Which DICOM series of a folder: its number in `info`, or its UID");
   command.add_option("--phase", options.phase, "Which of several DICOM pictures of the same places, from 1")
       ->check(CLI::PositiveNumber)
@@ -40,11 +49,6 @@ void add_reading_options(CLI::App& command, InputOptions& options) {
                    "RTSTRUCT: overlapping contours of one slice add up; otherwise an even number of them is a hole");
   command.add_option("--images", options.images,
                      "RTSTRUCT: the images it was drawn on; otherwise looked for in its folder");
-  command.add_option("--spacing", options.spacing_mm, "Column, row and slice distance in mm of a PNG or TIFF stack")
-      ->delimiter(',')
-      ->expected(3)
-      ->check(CLI::PositiveNumber)
-      ->type_name("X,Y,Z");
 }
 
 void add_slice_choice(CLI::App& command, InputOptions& options) {

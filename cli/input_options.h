@@ -36,6 +36,8 @@ struct InputOptions {
 };
 
 void add_reading_options(CLI::App& command, InputOptions& options);
+/// The part of it that says which of several things in an input is meant.
+void add_source_options(CLI::App& command, InputOptions& options);
 void add_slice_choice(CLI::App& command, InputOptions& options);
 void add_segmentation_options(CLI::App& command, InputOptions& options);
 

@@ -17,6 +17,7 @@ namespace {
 /// The label inputs as one scene: slices of all their grids, without values.
 struct LabelScene {
   std::vector<LabelMap> maps;
+  std::vector<std::string> sources;  ///< of each map, for messages
   SliceStack stack;
 };
 
@@ -24,12 +25,18 @@ LabelScene read_scene(const InputOptions& options, Session& session) {
   LabelScene scene;
   for (const std::filesystem::path& path : options.paths) {
     session.progress().report("read", 0);
-    scene.maps.push_back(read_labels(path));
-    for (const std::string& warning : scene.maps.back().warnings) session.note(warning);
     const std::string name = path.filename().string();
     if (scene.stack.name.empty()) scene.stack.name = name;
-    for (Slice& slice : slices_of(Volume<float>(scene.maps.back().layers.front().grid), name))
-      scene.stack.slices.push_back(std::move(slice));
+    std::size_t number = 0;  // one for all maps of the file
+    for (LabelMap& map : read_label_planes(path)) {
+      for (const std::string& warning : map.warnings) session.note(warning);
+      for (Slice& slice : slices_of(Volume<float>(map.layers.front().grid), name)) {
+        slice.name = fmt::format("{} slice {}", name, number++);
+        scene.stack.slices.push_back(std::move(slice));
+      }
+      scene.sources.push_back(path.string());
+      scene.maps.push_back(std::move(map));
+    }
   }
   return scene;
 }
@@ -60,14 +67,13 @@ bool is_shown(const SliceStack& stack) {
 }
 
 /// One entry per map. Not every map has to hold a wanted organ, but one must.
-std::vector<std::vector<Segment>> segments_of_maps(const LabelScene& scene, const std::string& label,
-                                                   const InputOptions& options) {
+std::vector<std::vector<Segment>> segments_of_maps(const LabelScene& scene, const std::string& label) {
   std::vector<std::vector<Segment>> segments;
   std::size_t found = 0;
   for (std::size_t m = 0; m < scene.maps.size(); ++m) {
     const bool is_last_chance = m + 1 == scene.maps.size() && found == 0;
     try {
-      segments.push_back(segments_asked_for(scene.maps[m], label, options.paths[m].string()));
+      segments.push_back(segments_asked_for(scene.maps[m], label, scene.sources[m]));
     } catch (const InputError&) {
       if (is_last_chance) throw;
       segments.emplace_back();
@@ -116,7 +122,7 @@ std::vector<Segment> segments_asked_for(const LabelMap& map, const std::string& 
 std::vector<ContourStack> organs_in_labels(const InputOptions& options, Session& session) {
   LabelScene scene = read_scene(options, session);
   const std::string label = options.label.empty() ? "all" : options.label;
-  const std::vector<std::vector<Segment>> segments = segments_of_maps(scene, label, options);
+  const std::vector<std::vector<Segment>> segments = segments_of_maps(scene, label);
   const LabelOptions tracing{.fill_holes = options.segmentation.fill_holes, .largest = options.segmentation.largest};
   std::vector<ContourStack> organs;
   for (ContourStack& organ : organs_named_in(segments)) {

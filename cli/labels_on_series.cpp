@@ -21,7 +21,9 @@ std::vector<ContourStack> labels_on_series(const InputOptions& input, const Like
   const LabelOptions tracing{.fill_holes = input.segmentation.fill_holes, .largest = input.segmentation.largest};
   std::vector<ContourStack> organs;
   for (const std::filesystem::path& path : input.paths) {
-    const LabelMap labels = read_labels(path);
+    const std::vector<LabelMap> maps = read_label_planes(path);
+    if (maps.size() > 1) return organs_in_labels(input, session);  // no grid to cut; its planes are the images'
+    const LabelMap& labels = maps.front();
     for (const std::string& warning : labels.warnings) session.note(warning);
     const auto segments = segments_asked_for(labels, input.label.empty() ? "all" : input.label, path.string());
     auto found = label_sections(labels, segments, planes, tracing, session.progress());

@@ -13,10 +13,10 @@ namespace {
 
 bool is_dicom_images(const std::filesystem::path& path) {
   if (std::filesystem::is_regular_file(path))
-    return has_dicom_magic(path) && !is_contour_file(path) && !is_dicom_seg(path);
+    return looks_like_dicom(path) && !is_contour_file(path) && !is_dicom_seg(path);
   if (!std::filesystem::is_directory(path)) return false;
   const auto files = files_in(path, Depth::kAllBelow);
-  return std::any_of(files.begin(), files.end(), has_dicom_magic);
+  return std::any_of(files.begin(), files.end(), looks_like_dicom);
 }
 
 }  // namespace

@@ -72,6 +72,7 @@ int main(int argc, char** argv) {
   isostack::cli::add_measure(app, session);
   isostack::cli::add_view(app, session);
   isostack::cli::add_convert(app, session);
+  isostack::cli::add_morph(app, session);
   isostack::cli::add_run(app, session);
   try {
     app.parse(argc, argv);

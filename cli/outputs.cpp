@@ -34,6 +34,16 @@ void require_writable(const std::filesystem::path& output, OutputPurpose purpose
     throw InputError(output.string(), "its folder does not exist", "create " + folder.string());
 }
 
+void note_dropped_organs(const std::vector<ContourStack>& organs, const std::filesystem::path& output,
+                         Session& session) {
+  const Format* format = find_format(output, &Format::write_contours);
+  if (!format || !format->drops_empty_organs) return;
+  for (const ContourStack& organ : organs)
+    if (point_count(organ) == 0)
+      session.note(organ.name + ": it has no contours, so " + output.filename().string() +
+                   " cannot hold it; .json, .vtp, .csl and RTSTRUCT can");
+}
+
 std::filesystem::path with_suffix(const std::filesystem::path& path, const std::string& suffix) {
   const std::string name = path.filename().string();
   const std::size_t dot = name.ends_with(".nii.gz") ? name.size() - 7 : name.rfind('.');

@@ -2,6 +2,10 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
+
+#include "cli/session.h"
+#include "recon/geometry/contour.h"
 
 namespace isostack::cli {
 
@@ -18,6 +22,10 @@ void require_writable(const std::filesystem::path& output, OutputPurpose purpose
 bool is_label_file(const std::filesystem::path& path);
 /// The same for what `dicom` says of formats that hold both.
 bool writes_labels(const std::filesystem::path& path, DicomOutput dicom);
+
+/// Notes the organs without any contour that the format of `output` cannot hold.
+void note_dropped_organs(const std::vector<ContourStack>& organs, const std::filesystem::path& output,
+                         Session& session);
 
 /// "skull.stl", "4" -> "skull_4.stl"; keeps double extensions such as .nii.gz whole.
 std::filesystem::path with_suffix(const std::filesystem::path& path, const std::string& suffix);

@@ -138,7 +138,8 @@ void write_recipe(const CLI::App& command, const std::filesystem::path& path) {
   Json recipe = {
       {"format", format}, {"version", version}, {"isostack", ISOSTACK_VERSION}, {"command", command.get_name()}};
   recipe["input"] = command.get_option("IN")->results();
-  recipe["output"] = command.get_option("--output")->results().front();
+  const std::vector<std::string> outputs = command.get_option("--output")->results();
+  recipe["output"] = outputs.size() == 1 ? Json(outputs.front()) : Json(outputs);
   recipe["options"] = Json::object();
   for (const CLI::Option* option : command.get_options())
     if (option->count() > 0 && belongs_into_recipe(*option))
@@ -151,7 +152,8 @@ std::vector<std::string> arguments_of(const Json& recipe, const std::string& nam
   if (!recipe.contains("input") || !recipe.contains("output"))
     refuse(name, "it has no input or output to run with; use it with `" + arguments.front() + " IN -o OUT --recipe`");
   for (const std::string& input : values_of(recipe["input"], name, "input")) arguments.push_back(input);
-  arguments.insert(arguments.end(), {"-o", text_of(recipe["output"])});
+  for (const std::string& output : values_of(recipe["output"], name, "output"))
+    arguments.insert(arguments.end(), {"-o", output});
   for (const auto& [key, value] : recipe["options"].items()) {
     if (value == false) continue;
     for (const std::string& text : values_of(value, name, key)) {

@@ -17,7 +17,7 @@ struct BuiltInRecipe {
   std::string_view name, text;
 };
 
-/// Those of segmentation/recipes.
+/// Those of segmentation/recipes and recon/morphing/recipes.
 const std::vector<BuiltInRecipe>& built_in_recipes();
 
 /// A built-in recipe by name, or a file. Throws InputError naming it.

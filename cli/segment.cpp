@@ -55,6 +55,7 @@ void run_segment(const SegmentCommand& command, Session& session) {
     const WriteOptions options = write_options_for(command.like, command.input);
     write_organ_labels(labels_of(organs, command.input, options), command.output, options, session);
   } else {
+    note_dropped_organs(organs, command.output, session);
     write_contours(organs, command.output, write_options_for(command.like, command.input));
   }
   for (const ContourStack& organ : organs) {

@@ -18,6 +18,7 @@ struct ViewCommand {
   std::string title;
   std::vector<int> size = {1200, 900};
   std::vector<double> view_from;
+  double opacity = 1;
   bool dark = false;
 };
 
@@ -46,6 +47,7 @@ void run_view(const ViewCommand& command, Session& session) {
   options.width_pixels = command.size[0];
   options.height_pixels = command.size[1];
   options.dark = command.dark;
+  options.surface_opacity = command.opacity;
   if (!command.view_from.empty())
     options.view_from = {command.view_from[0], command.view_from[1], command.view_from[2]};
   save_screenshot(scene, command.screenshot, options);
@@ -70,6 +72,8 @@ void add_view(CLI::App& app, Session& session) {
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z");
+  command->add_option("--opacity", options->opacity, "Of surfaces; below 1 what is behind shows through")
+      ->check(CLI::Range(0.05, 1.0));
   command->add_flag("--dark", options->dark, "Dark background");
   command->callback([options, &session] { session.run = [options, &session] { run_view(*options, session); }; });
 }

@@ -4,12 +4,32 @@ include(CMakePackageConfigHelpers)
 get_property(libraries GLOBAL PROPERTY ISOSTACK_LIBRARIES)
 install(TARGETS ${libraries} EXPORT isostack_targets)
 install(TARGETS isostack_program RUNTIME)
-foreach(room recon io segmentation viewers)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/isostack
-          FILES_MATCHING PATTERN "*.h")
+
+# Headers that name GDCM, VTK or Highway, and those that include such a header, are for the sources beside them:
+# whoever uses the installed libraries need not have those.
+set(rooms recon io segmentation viewers)
+list(TRANSFORM rooms APPEND "/*.h" OUTPUT_VARIABLE patterns)
+file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${patterns})
+set(pattern "gdcm::|namespace gdcm|<gdcm|<vtk|vtk[A-Z]|<hwy/")
+while(pattern)
+  set(found "")
+  foreach(header ${headers})
+    file(STRINGS ${PROJECT_SOURCE_DIR}/${header} lines REGEX "${pattern}")
+    if(lines)
+      list(APPEND found ${header})
+    endif()
+  endforeach()
+  list(REMOVE_ITEM headers ${found})
+  list(TRANSFORM found PREPEND "#include \"")
+  list(JOIN found "|" pattern)
+endwhile()
+foreach(header ${headers})
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/isostack/${folder})
 endforeach()
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/segmentation/recipes DESTINATION ${CMAKE_INSTALL_DATADIR}/isostack)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/segmentation/recipes ${PROJECT_SOURCE_DIR}/recon/morphing/recipes
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/isostack)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/isostack)
 install(EXPORT isostack_targets NAMESPACE isostack:: FILE isostack-targets.cmake DESTINATION ${config_dir})

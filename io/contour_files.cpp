@@ -10,7 +10,7 @@ namespace isostack {
 namespace {
 
 bool is_dicom(const std::filesystem::path& path) {
-  return std::filesystem::is_regular_file(path) && has_dicom_magic(path);
+  return std::filesystem::is_regular_file(path) && looks_like_dicom(path);
 }
 
 }  // namespace

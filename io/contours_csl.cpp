@@ -51,9 +51,7 @@ constexpr std::size_t vertex_bytes = 6, component_bytes = 4, plane_bytes = 14;  
 /// The curve that a hole is cut out of.
 std::size_t curve_around(const Contour& hole, const std::vector<Contour>& contours) {
   std::size_t i = 0;
-  while (i + 1 < contours.size() &&
-         !(contours[i].depth + 1 == hole.depth && is_inside({contours[i]}, hole.points_mm.front())))
-    ++i;
+  while (i + 1 < contours.size() && !(contours[i].depth + 1 == hole.depth && encloses(contours[i], hole))) ++i;
   return i;
 }
 
@@ -94,7 +92,7 @@ ContourFile read_csl(const std::filesystem::path& path, const ReadOptions& /*opt
   TextTokens tokens(path);
   if (tokens.word("CSLC") != "CSLC") tokens.fail("it does not start with CSLC");
   const std::size_t plane_count = tokens.count("the number of planes", plane_bytes);
-  tokens.whole_number("the number of labels");
+  const long long label_count = tokens.whole_number("the number of labels");
   std::vector<SectionPlane> planes;
   std::vector<std::vector<SectionLoop>> loops;
   for (std::size_t p = 0; p < plane_count; ++p) {
@@ -111,7 +109,7 @@ ContourFile read_csl(const std::filesystem::path& path, const ReadOptions& /*opt
     std::vector<SectionLoop>& of_plane = loops.emplace_back();
     for (std::size_t i = 0; i < component_count; ++i) of_plane.push_back(read_component(tokens, vertex_count));
   }
-  return {.organs = section_organs(planes, loops, path.string())};
+  return {.organs = section_organs(planes, loops, path.string(), label_count)};
 }
 
 void write_csl(const std::vector<ContourStack>& organs, const std::filesystem::path& path,

@@ -1,14 +1,13 @@
 #include "io/dicom_decoder.h"
 
 #include <gdcmImage.h>
-#include <gdcmReader.h>
 #include <gdcmSequenceOfFragments.h>
 
 #include <string_view>
 #include <vector>
 
 #include "io/dicom_fragments.h"
-#include "io/gdcm_setup.h"
+#include "io/dicom_reader.h"
 #include "io/stored_pixels.h"
 
 namespace isostack {
@@ -85,7 +84,9 @@ DicomHeader as_decoded(const DicomHeader& header, const gdcm::PixelFormat& forma
 }  // namespace
 
 struct DicomDecoder::OpenFile {
-  gdcm::Reader reader;
+  explicit OpenFile(const std::filesystem::path& file) : reader(file), path(file) {}
+
+  DicomReader reader;
   std::filesystem::path path;
   bool is_readable = false;
 };
@@ -95,14 +96,11 @@ DicomDecoder::~DicomDecoder() = default;
 
 bool DicomDecoder::decode(const DicomHeader& header, float* pixels) {
   if (!open_ || open_->path != header.path) {
-    set_up_gdcm();
-    open_ = std::make_unique<OpenFile>();
-    open_->path = header.path;
-    open_->reader.SetFileName(header.path.c_str());
+    open_ = std::make_unique<OpenFile>(header.path);
     // Whatever follows the pixels need not be sound.
-    open_->is_readable = open_->reader.ReadSelectedTags({pixel_data});
+    open_->is_readable = open_->reader->ReadSelectedTags({pixel_data});
   }
-  const gdcm::File& file = open_->reader.GetFile();
+  const gdcm::File& file = open_->reader->GetFile();
   if (!open_->is_readable || !file.GetDataSet().FindDataElement(pixel_data)) return false;
   const gdcm::DataElement& all = file.GetDataSet().GetDataElement(pixel_data);
   const gdcm::DataElement frame = header.is_compressed ? compressed_frame(all, header) : plain_frame(all, header);
@@ -118,7 +116,7 @@ bool DicomDecoder::decode(const DicomHeader& header, float* pixels) {
   const bool whole_bytes = decoded.bits_allocated == 8 || decoded.bits_allocated == 16 || decoded.bits_allocated == 32;
   const std::size_t pixel_count = static_cast<std::size_t>(header.rows) * static_cast<std::size_t>(header.columns);
   if (!whole_bytes || bytes.size() != pixel_count * static_cast<std::size_t>(decoded.bits_allocated / 8)) return false;
-  rescale_stored(bytes.data(), decoded, pixels);
+  rescale_stored(bytes.data(), decoded, pixel_count, pixels);
   return true;
 }
 

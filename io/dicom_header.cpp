@@ -2,18 +2,16 @@
 
 #include <fmt/format.h>
 #include <gdcmMediaStorage.h>
-#include <gdcmReader.h>
 #include <gdcmUIDs.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cstring>
-#include <fstream>
+#include <set>
 #include <tuple>
 
 #include "io/dicom_frames.h"
+#include "io/dicom_reader.h"
 #include "io/dicom_structure.h"
-#include "io/gdcm_setup.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack {
@@ -116,13 +114,6 @@ void require_plausible_size(const DicomHeader& header) {
 
 }  // namespace
 
-bool has_dicom_magic(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  char bytes[4] = {};
-  stream.seekg(128);
-  return stream.read(bytes, 4) && std::memcmp(bytes, "DICM", 4) == 0;
-}
-
 bool is_called_dicom(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -131,21 +122,22 @@ bool is_called_dicom(const std::filesystem::path& path) {
 }
 
 DicomHeader read_dicom_header(const std::filesystem::path& path) {
-  set_up_gdcm();
   DicomHeader header;
   header.path = path;
   header.name = path.filename().string();
-  if (!has_dicom_magic(path))
-    throw InputError(header.name, "it is not a DICOM file (\"DICM\" does not stand at byte 128)",
-                     "give DICOM files with their meta header; gdcmconv adds a missing one");
-  const DicomStructure structure = walk_dicom(path);
+  const std::optional<DicomStart> start = find_dicom_start(path);
+  if (!start)
+    throw InputError(header.name, "it is not a DICOM file (it begins neither with \"DICM\" nor with a data set)",
+                     "give DICOM files; their names do not matter");
+  const DicomStructure structure = walk_dicom(path, *start);
   if (!structure.is_whole) throw_truncated(header);
-  gdcm::Reader reader;
-  reader.SetFileName(path.c_str());
+  DicomReader reader(path, *start);
   const gdcm::Tag pixel_data(0x7fe0, 0x0010);
-  if (!reader.ReadUpToTag(pixel_data)) throw_truncated(header);
+  std::set<gdcm::Tag> skipped;  // GDCM wants to read all of a deflated file
+  if (!structure.is_deflated) skipped.insert(pixel_data);
+  if (!reader->ReadUpToTag(pixel_data, skipped)) throw_truncated(header);
 
-  const gdcm::File& file = reader.GetFile();
+  const gdcm::File& file = reader->GetFile();
   const gdcm::DataSet& data = file.GetDataSet();
   header.kind = kind_of(file);
   read_identity(data, header);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/dicom_start.h"
 #include "recon/geometry/slice_pose.h"
 
 namespace isostack {
@@ -67,9 +68,6 @@ struct DicomHeader : DicomFrame {
 /// One header for each picture in the file: the header itself, or one per frame with that frame's parts.
 /// Throws InputError naming the file when it has several frames and does not say where they lie.
 std::vector<DicomHeader> frames_of(const DicomHeader& header);
-
-/// True when the file has DICOM's magic bytes ("DICM" at 128).
-bool has_dicom_magic(const std::filesystem::path& path);
 
 /// True when its extension (.dcm, .ima) says that it is DICOM.
 bool is_called_dicom(const std::filesystem::path& path);

@@ -16,9 +16,9 @@ namespace isostack {
 
 namespace {
 
-[[noreturn]] void throw_undecodable(const DicomHeader& header) {
-  throw InputError(header.name, fmt::format("its pixels cannot be decoded ({})", header.transfer_syntax),
-                   "the file is cut off, damaged or of an unsupported compression; copy it again or decompress it");
+InputError undecodable(const DicomHeader& header) {
+  return {header.name, fmt::format("its pixels cannot be decoded ({})", header.transfer_syntax),
+          "the file is cut off, damaged or of an unsupported compression; copy it again or decompress it"};
 }
 
 void require_sensible_bits(const DicomHeader& header) {
@@ -36,28 +36,31 @@ std::size_t pixel_count(const DicomHeader& header) {
   return static_cast<std::size_t>(header.rows) * static_cast<std::size_t>(header.columns);
 }
 
-void turn_round(std::vector<char>& bytes, std::size_t group) {
-  for (std::size_t i = 0; i + group <= bytes.size(); i += group)
-    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i),
-                 bytes.begin() + static_cast<std::ptrdiff_t>(i + group));
+void turn_round(char* bytes, std::size_t count, std::size_t group) {
+  for (std::size_t i = 0; i + group <= count; i += group) std::reverse(bytes + i, bytes + i + group);
 }
 
-/// Uncompressed pixels, straight from their place in the file.
+/// Uncompressed pixels, straight from their place in the file; empty when they are not all there.
 Image<float> read_plain(const DicomHeader& header) {
-  const std::size_t frame_bytes = pixel_count(header) * static_cast<std::size_t>(header.bits_allocated / 8);
+  const auto pixel_bytes = static_cast<std::size_t>(header.bits_allocated / 8);
+  const std::size_t frame_bytes = pixel_count(header) * pixel_bytes;
   const std::uintmax_t begin = frame_bytes * static_cast<std::uintmax_t>(header.frame);
-  if (begin + frame_bytes > header.pixel_bytes) throw_undecodable(header);
-  std::vector<char> bytes(frame_bytes);
+  if (begin + frame_bytes > header.pixel_bytes) return {};
   std::ifstream stream(header.path, std::ios::binary);
   stream.seekg(static_cast<std::streamoff>(header.pixel_offset + begin));
-  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) throw_undecodable(header);
-  if (header.swapped_bytes > 0) turn_round(bytes, static_cast<std::size_t>(header.swapped_bytes));
   Image<float> pixels(header.rows, header.columns);
-  rescale_stored(bytes.data(), header, pixels.data());
+  constexpr std::size_t piece_bytes = 1 << 16;  // stays in the cache
+  std::vector<char> bytes(std::min(frame_bytes, piece_bytes));
+  for (std::size_t done = 0; done < frame_bytes; done += bytes.size()) {
+    const std::size_t count = std::min(bytes.size(), frame_bytes - done);
+    if (!stream.read(bytes.data(), static_cast<std::streamsize>(count))) return {};
+    if (header.swapped_bytes > 0) turn_round(bytes.data(), count, static_cast<std::size_t>(header.swapped_bytes));
+    rescale_stored(bytes.data(), header, count / pixel_bytes, pixels.data() + done / pixel_bytes);
+  }
   return pixels;
 }
 
-/// Pictures [begin, end) that GDCM must decode.
+/// Those pictures that GDCM must decode; the images of those it cannot stay empty.
 void decode_with_gdcm(const std::vector<DicomHeader>& headers, const std::vector<std::size_t>& which,
                       std::vector<Image<float>>& images) {
   set_up_gdcm();
@@ -69,7 +72,7 @@ void decode_with_gdcm(const std::vector<DicomHeader>& headers, const std::vector
   });
   for (std::size_t task = 0; task < which.size(); ++task) {
     const DicomHeader& header = headers[which[task]];
-    if (results[task].empty()) throw_undecodable(header);
+    if (results[task].empty()) continue;
     const auto* values = reinterpret_cast<const float*>(results[task].data());
     images[which[task]] = Eigen::Map<const Image<float>>(values, header.rows, header.columns);
   }
@@ -94,8 +97,18 @@ void require_grey(const DicomHeader& header) {
 }
 
 std::vector<Image<float>> read_dicom_pixels(const std::vector<DicomHeader>& headers, const Progress& progress) {
+  DicomPictures pictures = read_dicom_pictures(headers, progress);
+  for (const std::optional<InputError>& failure : pictures.failures)
+    if (failure) throw InputError(*failure);
+  return std::move(pictures.images);
+}
+
+DicomPictures read_dicom_pictures(const std::vector<DicomHeader>& headers, const Progress& progress) {
   for (const DicomHeader& header : headers) require_grey(header);
-  std::vector<Image<float>> images(headers.size());
+  DicomPictures pictures;
+  std::vector<Image<float>>& images = pictures.images;
+  images.resize(headers.size());
+  pictures.failures.resize(headers.size());
   for (std::size_t begin = 0, end = 0; begin < headers.size(); begin = end) {
     progress.report("pixels", static_cast<double>(begin) / static_cast<double>(headers.size()));
     end = batch_end(headers, begin);
@@ -106,7 +119,9 @@ std::vector<Image<float>> read_dicom_pixels(const std::vector<DicomHeader>& head
     if (!encoded.empty()) decode_with_gdcm(headers, encoded, images);
   }
   progress.report("pixels", 1);
-  return images;
+  for (std::size_t i = 0; i < headers.size(); ++i)
+    if (images[i].size() == 0) pictures.failures[i] = undecodable(headers[i]);
+  return pictures;
 }
 
 }  // namespace isostack

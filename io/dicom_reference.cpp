@@ -1,14 +1,12 @@
 #include "io/dicom_reference.h"
 
-#include <gdcmReader.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "io/dicom_reader.h"
 #include "io/dicom_scan.h"
 #include "io/dicom_text.h"
 #include "io/dicom_values.h"
-#include "io/gdcm_setup.h"
 #include "io/slice_order.h"
 #include "recon/geometry/errors.h"
 
@@ -17,12 +15,11 @@ namespace isostack {
 namespace {
 
 gdcm::DataSet header_data(const DicomHeader& file) {
-  set_up_gdcm();
-  gdcm::Reader reader;
-  reader.SetFileName(file.path.c_str());
-  if (!reader.ReadUpToTag(gdcm::Tag(0x7fe0, 0x0010)))
+  DicomReader reader(file.path);
+  const gdcm::Tag pixel_data(0x7fe0, 0x0010);
+  if (!reader->ReadUpToTag(pixel_data))
     throw InputError(file.name, "the DICOM file is cut off or damaged", "copy the file again");
-  return reader.GetFile().GetDataSet();
+  return reader->GetFile().GetDataSet();
 }
 
 void require(const std::string& uid, const std::string& name, const DicomHeader& file) {

@@ -30,7 +30,7 @@ HeaderOrError read_if_dicom(const std::filesystem::path& path, bool is_chosen) {
                        .what();
     return result;
   }
-  if (!is_chosen && !has_dicom_magic(path)) return result;
+  if (!is_chosen && !looks_like_dicom(path)) return result;
   try {
     result.header = read_dicom_header(path);
   } catch (const Error& error) {

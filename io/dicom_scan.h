@@ -24,8 +24,8 @@ struct DicomScan {
   std::vector<std::string> damaged;  ///< one message for each DICOM file whose header cannot be read
 };
 
-/// Reads the headers of a DICOM file, or of all DICOM files in a folder and below. Files without
-/// DICOM's magic bytes are skipped. Throws InputError when the path cannot be read.
+/// Reads the headers of a DICOM file, or of all DICOM files in a folder and below. Files that
+/// are not DICOM (find_dicom_start) are skipped. Throws InputError when the path cannot be read.
 DicomScan scan_dicom(const std::filesystem::path& path, const Progress& progress = {});
 
 /// The image series meant by `wanted`: its number, its UID or the end of its UID; empty when there

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "io/write_options.h"
 #include "recon/geometry/label_map.h"
@@ -16,6 +17,11 @@ bool is_dicom_seg(const std::filesystem::path& path);
 /// reaches from the first to the last plane with a frame, along their normal. Throws InputError naming the file
 /// when it is damaged, GeometryError when its frames do not lie on one even grid.
 LabelMap read_dicom_seg(const std::filesystem::path& path);
+
+/// The same for frames anywhere: where they lie on no even grid (uneven gaps, several orientations, shifted planes)
+/// one map of a single plane for each place, in the order of order_along_normals; otherwise one map. Warnings are the
+/// first one's.
+std::vector<LabelMap> read_dicom_seg_planes(const std::filesystem::path& path);
 
 /// Its grid alone, without decoding pixels.
 Grid read_dicom_seg_grid(const std::filesystem::path& path);

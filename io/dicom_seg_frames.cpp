@@ -24,14 +24,34 @@ std::string plain_bytes(const DicomHeader& image) {
   return bytes;
 }
 
-std::string decompressed_bytes(const DicomHeader& image) {
-  std::string bytes;
-  for (const Image<float>& frame : read_dicom_pixels(frames_of(image)))
-    for (const float value : frame.reshaped<Eigen::RowMajor>()) {
-      const auto stored = static_cast<std::uint16_t>(value);
+/// Stored values of the pictures, of 8 or 16 bits.
+void append_stored(const std::vector<Image<float>>& pictures, int bits, std::string& bytes) {
+  for (const Image<float>& picture : pictures)
+    for (const float value : picture.reshaped<Eigen::RowMajor>()) {
+      const auto stored = static_cast<std::uint16_t>(std::clamp(value, 0.0f, 65535.0f));
       bytes += static_cast<char>(stored & 255);
-      if (image.bits_allocated == 16) bytes += static_cast<char>(stored >> 8);
+      if (bits == 16) bytes += static_cast<char>(stored >> 8);
     }
+}
+
+std::string decompressed_bytes(const DicomHeader& image) {
+  if (image.bits_allocated == 1)
+    throw InputError(image.name, "compressed pixels of one bit are not supported",
+                     "decompress the file, or export it with pixels of 8 bits");
+  std::vector<DicomHeader> frames = frames_of(image);
+  for (DicomHeader& frame : frames) {  // numbers of segments, and fractions, are what is stored
+    frame.slope = 1;
+    frame.intercept = 0;
+    frame.is_signed = false;
+  }
+  std::string bytes;
+  constexpr std::size_t frames_at_once = 64;  // as floats they take much room
+  for (std::size_t begin = 0; begin < frames.size(); begin += frames_at_once) {
+    const auto end = std::min(frames.size(), begin + frames_at_once);
+    append_stored(read_dicom_pixels({frames.begin() + static_cast<std::ptrdiff_t>(begin),
+                                     frames.begin() + static_cast<std::ptrdiff_t>(end)}),
+                  image.bits_allocated, bytes);
+  }
   return bytes;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "recon/geometry/errors.h"
+#include "io/slice_order.h"
 
 namespace isostack {
 
@@ -18,16 +18,20 @@ constexpr double most_planes_per_frame = 1024, most_voxels = 1u << 31;
 
 std::vector<SlicePose> poses_of(const DicomHeader& image) {
   std::vector<SlicePose> poses;
-  for (const DicomHeader& frame : frames_of(image)) {
-    const SlicePose pose = pose_of(frame);
-    if (!poses.empty() &&
-        ((pose.x_axis - poses.front().x_axis).norm() > 1e-3 || (pose.y_axis - poses.front().y_axis).norm() > 1e-3 ||
-         (pose.spacing_mm - poses.front().spacing_mm).norm() > 1e-4))
-      throw GeometryError(frame.name, "its orientation or pixel spacing differs from that of the first frame",
-                          "split the segmentation into one file per orientation");
-    poses.push_back(pose);
-  }
+  for (const DicomHeader& frame : frames_of(image)) poses.push_back(pose_of(frame));
   return poses;
+}
+
+bool same_directions_and_spacing(const SlicePose& a, const SlicePose& b) {
+  return (a.x_axis - b.x_axis).norm() <= 1e-3 && (a.y_axis - b.y_axis).norm() <= 1e-3 &&
+         (a.spacing_mm - b.spacing_mm).norm() <= 1e-4;
+}
+
+void require_one_direction(const std::vector<SlicePose>& poses, const DicomHeader& image) {
+  for (std::size_t f = 1; f < poses.size(); ++f)
+    if (!same_directions_and_spacing(poses[f], poses.front()))
+      throw UnevenFrames(fmt::format("{} frame {}", image.name, f + 1),
+                         "its orientation or pixel spacing differs from that of the first frame");
 }
 
 /// The step nearest to `candidate_mm` that reaches from 0 to the last position, if all lie on its multiples.
@@ -53,7 +57,7 @@ double step_between(const std::vector<double>& sorted_mm, double tolerance_mm, c
       smallest_mm = std::min(smallest_mm, gap_mm);
   for (int parts = 1; parts <= 3; ++parts)  // more would fit whatever comes
     if (const std::optional<double> step_mm = fitting_step(sorted_mm, smallest_mm / parts, 0.01)) return *step_mm;
-  throw GeometryError(image.name, "its frames are not evenly spaced", "export it on an evenly spaced series");
+  throw UnevenFrames(image.name, "its frames are not evenly spaced");
 }
 
 /// Thickness of a single plane.
@@ -74,8 +78,15 @@ void require_sensible_size(const Grid& grid, double planes, const DicomHeader& i
 
 }  // namespace
 
+UnevenFrames::UnevenFrames(const std::string& where, const std::string& problem)
+    : GeometryError(where, problem,
+                    "it fits into no label volume: take contours, which keep each plane's place (`segment`, `convert` "
+                    "to .vtp or .json, `reconstruct`), or export it on an evenly spaced series"),
+      problem_(problem) {}
+
 FrameGrid grid_of_frames(const DicomHeader& image) {
   const std::vector<SlicePose> poses = poses_of(image);
+  require_one_direction(poses, image);
   FrameGrid result;
   const SlicePose& any = poses.front();
   const double tolerance_mm = tolerance_of_pixel * any.spacing_mm.minCoeff();
@@ -104,11 +115,40 @@ FrameGrid grid_of_frames(const DicomHeader& image) {
     const int k = is_one_plane ? 0 : static_cast<int>(std::lround((positions_mm[f] - lowest_mm) / step_mm));
     const Eigen::Vector3d off_mm = poses[f].origin_mm - (first_mm + k * step);
     if (std::hypot(off_mm.dot(any.x_axis), off_mm.dot(any.y_axis)) > 2 * tolerance_mm)
-      throw GeometryError(fmt::format("{} frame {}", image.name, f + 1), "it is shifted against the other frames",
-                          "export the segmentation on one grid");
+      throw UnevenFrames(fmt::format("{} frame {}", image.name, f + 1), "it is shifted against the other frames");
     result.plane_of_frame.push_back(k);
   }
   return result;
+}
+
+std::vector<FrameGrid> planes_of_frames(const DicomHeader& image) {
+  const std::vector<SlicePose> poses = poses_of(image);
+  const double tolerance_mm = tolerance_of_pixel * poses.front().spacing_mm.minCoeff();
+  std::vector<std::size_t> firsts;  // frame that stands for each plane
+  std::vector<std::size_t> plane_of(poses.size());
+  for (std::size_t f = 0; f < poses.size(); ++f) {
+    const auto same = std::find_if(firsts.begin(), firsts.end(), [&](std::size_t first) {
+      return same_directions_and_spacing(poses[first], poses[f]) &&
+             (poses[first].origin_mm - poses[f].origin_mm).norm() <= tolerance_mm;
+    });
+    plane_of[f] = static_cast<std::size_t>(same - firsts.begin());
+    if (same == firsts.end()) firsts.push_back(f);
+  }
+  std::vector<SlicePose> places;
+  for (const std::size_t first : firsts) places.push_back(poses[first]);
+  require_sensible_size({.size = {image.columns, image.rows, 1}}, static_cast<double>(places.size()), image);
+  std::vector<FrameGrid> grids;
+  for (const std::size_t place : order_along_normals(places)) {
+    FrameGrid& plane = grids.emplace_back();
+    const SlicePose& pose = places[place];
+    const double thickness_mm = image.frame_parts[firsts[place]].slice_thickness_mm.value_or(0);
+    plane.grid.size = {image.columns, image.rows, 1};
+    plane.grid.index_to_world.translation() = pose.origin_mm;
+    plane.grid.index_to_world.linear() << pose.x_axis * pose.spacing_mm.x(), pose.y_axis * pose.spacing_mm.y(),
+        pose.normal() * (thickness_mm > 0 && std::isfinite(thickness_mm) ? thickness_mm : 1.0);
+    for (std::size_t f = 0; f < poses.size(); ++f) plane.plane_of_frame.push_back(plane_of[f] == place ? 0 : -1);
+  }
+  return grids;
 }
 
 }  // namespace isostack

@@ -1,7 +1,6 @@
 #include "io/dicom_seg_header.h"
 
 #include <fmt/format.h>
-#include <gdcmReader.h>
 
 #include <algorithm>
 #include <cstring>
@@ -10,6 +9,7 @@
 
 #include "io/cielab.h"
 #include "io/dicom_frames.h"
+#include "io/dicom_reader.h"
 #include "io/dicom_text.h"
 #include "recon/geometry/errors.h"
 
@@ -34,11 +34,16 @@ std::optional<Color> color_of(const gdcm::DataSet& data) {
   return color_from_lab(lab);
 }
 
+std::string property_type_of(const gdcm::DataSet& data, const std::string& character_set) {
+  std::string meaning;
+  for (const gdcm::DataSet& code : dicom_items(data, property_type)) meaning = dicom_text(code, 0x00080104);
+  return utf8_from_dicom(meaning, character_set);
+}
+
 std::string name_of(const gdcm::DataSet& data, int number, const std::string& character_set) {
-  std::string name = dicom_text(data, segment_label);
-  if (name.empty())
-    for (const gdcm::DataSet& code : dicom_items(data, property_type)) name = dicom_text(code, 0x00080104);
-  return name.empty() ? fmt::format("segment {}", number) : utf8_from_dicom(name, character_set);
+  std::string name = utf8_from_dicom(dicom_text(data, segment_label), character_set);
+  if (name.empty()) name = property_type_of(data, character_set);
+  return name.empty() ? fmt::format("segment {}", number) : name;
 }
 
 void read_segments(const gdcm::DataSet& data, SegmentationHeader& header) {
@@ -54,6 +59,7 @@ void read_segments(const gdcm::DataSet& data, SegmentationHeader& header) {
                                .value = static_cast<std::uint16_t>(number),
                                .layer = 0,
                                .color = color_of(item)});
+    header.property_types[static_cast<std::uint16_t>(number)] = property_type_of(item, character_set);
   }
 }
 
@@ -115,11 +121,11 @@ SegmentationHeader read_segmentation_header(const std::filesystem::path& path) {
   const std::string& where = header.image.name;
   if (header.image.kind != DicomKind::kSegmentation)
     throw InputError(where, "it is DICOM, but no segmentation", "give a DICOM SEG file");
-  gdcm::Reader reader;
-  reader.SetFileName(path.c_str());
+  DicomReader reader(path);
   const bool is_deflated = header.image.pixel_offset == 0 && !header.image.is_compressed;
-  if (!(is_deflated ? reader.Read() : reader.ReadUpToTag(pixel_data))) throw_damaged(where, "it cannot be read");
-  const gdcm::DataSet& data = reader.GetFile().GetDataSet();
+  if (!(is_deflated ? reader->Read() : reader->ReadUpToTag(pixel_data, {pixel_data})))
+    throw_damaged(where, "it cannot be read");
+  const gdcm::DataSet& data = reader->GetFile().GetDataSet();
   header.type = type_of(data, where);
   header.fractional_maximum = static_cast<int>(dicom_uint16(data, 0x0062000e).value_or(255));
   if (is_deflated) header.plain_pixels = dicom_bytes(data, 0x7fe00010);

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
 
 #include "io/dicom_seg.h"
 #include "io/dicom_seg_frames.h"
@@ -22,9 +25,9 @@ class MapBuilder {
 
   /// Each segment goes into the first layer where it overlaps no other.
   LabelMap layers() {
-    std::vector<std::vector<std::size_t>> frames_of(65536);
+    std::map<std::uint16_t, std::vector<std::size_t>> frames_of;
     for (std::size_t f = 0; f < header_.segment_of_frame.size(); ++f)
-      frames_of[header_.segment_of_frame[f]].push_back(f);
+      if (grid_.plane_of_frame[f] >= 0) frames_of[header_.segment_of_frame[f]].push_back(f);
     LabelMap map{.layers = {LabelVolume(grid_.grid)}, .segments = header_.segments};
     for (Segment& segment : map.segments) {
       const std::vector<std::size_t>& frames = frames_of[segment.value];
@@ -42,8 +45,10 @@ class MapBuilder {
   /// Pixels that hold the segment's number.
   LabelMap label_map() {
     LabelMap map{.layers = {LabelVolume(grid_.grid)}, .segments = header_.segments};
-    for (std::size_t f = 0; f < grid_.plane_of_frame.size(); ++f)
+    for (std::size_t f = 0; f < grid_.plane_of_frame.size(); ++f) {
+      if (grid_.plane_of_frame[f] < 0) continue;
       for_each_voxel(f, [&](std::size_t voxel, std::uint16_t value) { map.layers.front().voxels[voxel] = value; });
+    }
     return map;
   }
 
@@ -77,10 +82,18 @@ class MapBuilder {
   int least_value_ = 1;
 };
 
+LabelMap map_on(const FrameGrid& grid, const SegmentationHeader& header, const SegmentationFrames& frames) {
+  MapBuilder builder(header, grid, frames);
+  LabelMap map = header.type == SegmentationType::kLabelMap ? builder.label_map() : builder.layers();
+  map.warnings = header.warnings;
+  map.warnings.insert(map.warnings.end(), grid.warnings.begin(), grid.warnings.end());
+  return map;
+}
+
 }  // namespace
 
 bool is_dicom_seg(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path) || !has_dicom_magic(path)) return false;
+  if (!std::filesystem::is_regular_file(path) || !looks_like_dicom(path)) return false;
   try {
     return read_dicom_header(path).kind == DicomKind::kSegmentation;
   } catch (const Error&) {
@@ -95,12 +108,26 @@ Grid read_dicom_seg_grid(const std::filesystem::path& path) {
 LabelMap read_dicom_seg(const std::filesystem::path& path) {
   const SegmentationHeader header = read_segmentation_header(path);
   const FrameGrid grid = grid_of_frames(header.image);
+  return map_on(grid, header, SegmentationFrames(header));
+}
+
+std::vector<LabelMap> read_dicom_seg_planes(const std::filesystem::path& path) {
+  const SegmentationHeader header = read_segmentation_header(path);
+  std::vector<FrameGrid> grids;
+  try {
+    grids.push_back(grid_of_frames(header.image));
+  } catch (const UnevenFrames& error) {
+    grids = planes_of_frames(header.image);
+    grids.front().warnings.push_back(fmt::format("uneven frames: {}; each of its {} planes is taken at its own place",
+                                                 error.problem(), grids.size()));
+  }
   const SegmentationFrames frames(header);
-  MapBuilder builder(header, grid, frames);
-  LabelMap map = header.type == SegmentationType::kLabelMap ? builder.label_map() : builder.layers();
-  map.warnings = header.warnings;
-  map.warnings.insert(map.warnings.end(), grid.warnings.begin(), grid.warnings.end());
-  return map;
+  std::vector<LabelMap> maps;
+  for (const FrameGrid& grid : grids) {
+    maps.push_back(map_on(grid, header, frames));
+    if (maps.size() > 1) maps.back().warnings.clear();
+  }
+  return maps;
 }
 
 }  // namespace isostack

@@ -28,7 +28,8 @@ OrderedSeries order_series(const DicomSeries& series, std::optional<int> phase =
 std::vector<std::string> series_warnings(const OrderedSeries& series);
 
 /// Reads one image series from a DICOM file or a folder (and its subfolders), single-frame or multi-frame. Slices are
-/// ordered by their positions, never by their numbers; grey values have the header's rescale applied.
+/// ordered by their positions, never by their numbers; grey values have the header's rescale applied. Damaged files of
+/// a folder are left out with a warning as long as others are left.
 /// Throws InputError or GeometryError naming the file or folder.
 SliceStack read_dicom_slices(const std::filesystem::path& path, const ReadOptions& options, const Progress& progress);
 

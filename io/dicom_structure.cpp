@@ -46,7 +46,7 @@ class Walk {
   std::string meta_information() {
     std::string uid;
     std::uintmax_t announced_end = 0;
-    if (next_group() != 2) throw Damaged();  // GDCM would guess how the file is written
+    if (next_group() != 2) throw Damaged();  // neither a meta header nor a data set that can be told
     while (position_ < size_ && next_group() == 2) {
       const Element element = next({});
       if (element.vr == "SQ" || (element.tag == meta_length && element.length != 4)) throw Damaged();
@@ -166,6 +166,11 @@ class Walk {
                                      : element.vr == "SQ" || element.vr == "UN";
   }
 
+  /// Delimiters have no value; GDCM makes room for as much as one claims.
+  void delimiter(const Element& element) const {
+    if (element.length > size_ - position_) throw Damaged();
+  }
+
   void value(const Element& element, const Encoding& encoding, int depth) {
     if (encoding.explicit_vr && !is_possible(element)) throw Damaged();
     const bool is_undefined = element.length == undefined_length;
@@ -175,7 +180,7 @@ class Walk {
     const std::uintmax_t end = position_ + element.length;
     while (is_undefined || position_ < end) {
       const Element part = next(inner);
-      if (is_undefined && part.tag == sequence_end) return;
+      if (is_undefined && part.tag == sequence_end) return delimiter(part);
       if (part.tag != item) throw Damaged();
       if (element.tag == pixel_data)
         skip(part.length);  // a fragment of compressed pixels
@@ -190,7 +195,7 @@ class Walk {
     const std::uintmax_t end = position_ + part.length;
     while (is_undefined || position_ < end) {
       const Element member = next(encoding);
-      if (is_undefined && member.tag == item_end) return;
+      if (is_undefined && member.tag == item_end) return delimiter(member);
       if (member.tag >> 16 == 0xfffe) throw Damaged();  // GDCM ends the program on an item outside of a sequence
       value(member, encoding, depth);
     }
@@ -208,17 +213,18 @@ void walk_deflated(const std::string& deflated, DicomStructure& structure) {
   if (!data) throw Damaged();
   std::istringstream stream(*data);
   Walk(stream, data->size(), 0).data_set({}, structure);
+  structure.is_deflated = true;
   structure.pixel_offset = structure.pixel_bytes = 0;
 }
 
 }  // namespace
 
-DicomStructure walk_dicom(const std::filesystem::path& path) {
+DicomStructure walk_dicom(const std::filesystem::path& path, const DicomStart& start) {
   DicomStructure structure;
   try {
     std::ifstream stream(path, std::ios::binary);
-    Walk walk(stream, std::filesystem::file_size(path), 128 + 4);
-    const std::string syntax = walk.meta_information();
+    Walk walk(stream, std::filesystem::file_size(path), start.offset);
+    const std::string syntax = start.guessed_syntax.empty() ? walk.meta_information() : start.guessed_syntax;
     if (syntax == "1.2.840.10008.1.2.1.99")
       walk_deflated(walk.rest(), structure);
     else

@@ -34,12 +34,14 @@ struct Format {
   ContourFile (*read_contours)(const Path&, const ReadOptions&) = nullptr;
   bool (*holds_contours)(const Path&) = nullptr;  ///< goes with read_contours
   LabelMap (*read_labels)(const Path&) = nullptr;
+  std::vector<LabelMap> (*read_label_planes)(const Path&) = nullptr;  ///< formats whose planes may be uneven
   bool (*holds_labels)(const Path&) = nullptr;  ///< goes with read_labels; null: any file of the format may be labels
   void (*write_labels)(const LabelMap&, const Path&, const WriteOptions&) = nullptr;
   bool labels_may_overlap = false;  ///< of written labels: more than one layer
   void (*write_mesh)(const TriangleMesh&, const Path&) = nullptr;
-  bool prescribes_axes = false;   ///< of meshes: the format itself says where up is
-  bool says_every_plane = false;  ///< of written contours: an organ without any on a plane is absent there
+  bool prescribes_axes = false;     ///< of meshes: the format itself says where up is
+  bool says_every_plane = false;    ///< of written contours: an organ without any on a plane is absent there
+  bool drops_empty_organs = false;  ///< of written contours: an organ without any at all leaves no trace
   void (*write_contours)(const std::vector<ContourStack>&, const Path&, const WriteOptions&) = nullptr;
 };
 

@@ -96,7 +96,7 @@ SliceStack read_image_stack(const std::filesystem::path& path, const ReadOptions
   const Eigen::Vector3d spacing_mm = required_spacing(path, options);
   const auto files = std::filesystem::is_directory(path) ? images_in(path) : std::vector{path};
   SliceStack stack;
-  stack.name = "images";
+  stack.name = std::filesystem::is_directory(path) ? "images" : path.filename().string();
   stack.slices.resize(files.size());
   progress.report("images", 0);
   tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t k) {

@@ -49,7 +49,7 @@ std::vector<OrientationSummary> summarise_orientations(const std::vector<SlicePo
 
 std::vector<SeriesSummary> inspect_folder(const std::filesystem::path& folder) {
   const auto files = files_in(folder, Depth::kAllBelow);
-  if (std::any_of(files.begin(), files.end(), has_dicom_magic)) return inspect_dicom(folder);
+  if (std::any_of(files.begin(), files.end(), looks_like_dicom)) return inspect_dicom(folder);
   if (!images_in(folder).empty()) return {inspect_images(folder)};
   throw InputError(folder.string(), files.empty() ? "the folder is empty" : "the folder holds no readable image",
                    "give a folder of DICOM slices or of PNG/TIFF images, or a file");
@@ -95,7 +95,7 @@ void summarise_poses(const std::vector<SlicePose>& poses, int columns, int rows,
 std::vector<SeriesSummary> inspect(const std::filesystem::path& path) {
   require_exists(path);
   if (std::filesystem::is_directory(path)) return inspect_folder(path);
-  if (has_dicom_magic(path) || is_called_dicom(path)) return inspect_dicom(path);
+  if (looks_like_dicom(path) || is_called_dicom(path)) return inspect_dicom(path);
   if (find_format(path, &Format::read_volume_header)) return {inspect_volume(path)};
   if (find_format(path, &Format::read_slices)) return {inspect_images(path)};
   if (find_format(path, &Format::read_contours) && holds_contours(path)) return inspect_contours(path);

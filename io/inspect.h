@@ -22,13 +22,16 @@ struct OrientationSummary {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< world LPS
 };
 
-/// One organ of a structure set.
+/// One organ of a structure set or a segmentation.
 struct OrganSummary {
   std::string name;
-  std::string type;  ///< DICOM RT ROI Interpreted Type; empty: unknown
-  std::optional<Color> color;
+  std::string type;  ///< DICOM RT ROI Interpreted Type, or SegmentedPropertyType; empty: unknown
+  std::optional<Color> color = std::nullopt;
   std::size_t slice_count = 0;  ///< with contours
   std::size_t contour_count = 0, point_count = 0;
+  int number = 0;                                         ///< of a segment; 0: not one
+  std::size_t frame_count = 0;                            ///< of a segment; of a label map those that show it
+  std::optional<std::size_t> voxel_count = std::nullopt;  ///< of a segment, unless its pixels had to be decoded
 };
 
 /// What is in a file, or in one series of a folder. Fields that make no sense for the kind keep
@@ -58,9 +61,9 @@ struct SeriesSummary {
   double tilt_deg = 0;                           ///< between the line of slice origins and the normal
   Eigen::Vector3d extent_mm = Eigen::Vector3d::Zero();  ///< along rows, along columns, first to last slice centre
 
-  std::size_t vertex_count = 0, triangle_count = 0;                                        ///< meshes
-  std::size_t contour_count = 0, point_count = 0;                                          ///< contours
-  std::vector<OrganSummary> organs;                                                        ///< of structure sets
+  std::size_t vertex_count = 0, triangle_count = 0;  ///< meshes
+  std::size_t contour_count = 0, point_count = 0;    ///< contours
+  std::vector<OrganSummary> organs;                  ///< of structure sets and segmentations
   Eigen::Vector3d lower_mm = Eigen::Vector3d::Zero(), upper_mm = Eigen::Vector3d::Zero();  ///< world LPS bounds
 
   std::vector<std::string> warnings;

@@ -42,6 +42,8 @@ SeriesSummary summarise(const DicomSeries& series, int number) {
   if (first.bits_stored > 0) summary.value_type = fmt::format("{}int{}", first.is_signed ? "" : "u", first.bits_stored);
   if (series.kind == DicomKind::kStructureSet)
     for (const DicomHeader& file : series.files) summarise_structure_set(file.path, summary);
+  if (series.kind == DicomKind::kSegmentation)
+    for (const DicomHeader& file : series.files) summarise_segmentation(file.path, summary);
   if (series.kind != DicomKind::kImage) return summary;
   try {
     const OrderedSeries ordered = order_series(series, 1);

@@ -26,6 +26,9 @@ class BoundsBuilder {
 /// Adds the organs of a DICOM structure set, their bounds and what its reader warns of.
 void summarise_structure_set(const std::filesystem::path& path, SeriesSummary& summary);
 
+/// Adds the segments of a DICOM segmentation, where its planes lie, and what its reader warns of.
+void summarise_segmentation(const std::filesystem::path& path, SeriesSummary& summary);
+
 std::vector<SeriesSummary> inspect_dicom(const std::filesystem::path& path);
 SeriesSummary inspect_volume(const std::filesystem::path& path);
 SeriesSummary inspect_images(const std::filesystem::path& path);

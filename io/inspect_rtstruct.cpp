@@ -9,7 +9,10 @@ namespace isostack {
 namespace {
 
 OrganSummary summarise(const ContourStack& organ) {
-  OrganSummary summary{.name = organ.name, .type = organ.roi_type, .color = organ.color};
+  OrganSummary summary;
+  summary.name = organ.name;
+  summary.type = organ.roi_type;
+  summary.color = organ.color;
   for (const ContourSlice& slice : organ.slices) {
     summary.slice_count += slice.contours.empty() ? 0 : 1;
     summary.contour_count += slice.contours.size();

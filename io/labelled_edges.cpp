@@ -49,19 +49,11 @@ class LoopWalk {
         loop.vertices.push_back(edges_[edge].from);
         edge = next(edge, start, label);
       } while (edge != start);
-      start_alone(loop);
     }
     return result;
   }
 
  private:
-  /// Loops start where no other one passes: their first point tells what they lie in.
-  void start_alone(SectionLoop& loop) const {
-    const auto alone = std::find_if(loop.vertices.begin(), loop.vertices.end(),
-                                    [&](int vertex) { return leaving_.at(vertex).size() == 1; });
-    if (alone != loop.vertices.end()) std::rotate(loop.vertices.begin(), alone, loop.vertices.end());
-  }
-
   Eigen::Vector3d along(int from, int to) const {
     return plane_.vertices_mm[static_cast<std::size_t>(to)] - plane_.vertices_mm[static_cast<std::size_t>(from)];
   }

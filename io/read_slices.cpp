@@ -14,7 +14,7 @@ namespace {
 
 SliceStack read_folder(const std::filesystem::path& folder, const ReadOptions& options, const Progress& progress) {
   const auto files = files_in(folder, Depth::kAllBelow);
-  if (std::any_of(files.begin(), files.end(), has_dicom_magic)) return read_dicom_slices(folder, options, progress);
+  if (std::any_of(files.begin(), files.end(), looks_like_dicom)) return read_dicom_slices(folder, options, progress);
   if (!images_in(folder).empty()) return read_image_stack(folder, options, progress);
   throw InputError(folder.string(), files.empty() ? "the folder is empty" : "the folder holds no readable image",
                    "give a folder of DICOM slices or of PNG/TIFF images, or a volume file itself");
@@ -41,7 +41,7 @@ std::vector<std::string_view> slice_extensions() {
 SliceStack read_slices(const std::filesystem::path& path, const ReadOptions& options, const Progress& progress) {
   require_exists(path);
   if (std::filesystem::is_directory(path)) return read_folder(path, options, progress);
-  if (has_dicom_magic(path)) return read_dicom_slices(path, options, progress);  // often without an extension
+  if (looks_like_dicom(path)) return read_dicom_slices(path, options, progress);  // often without an extension
   if (const Format* format = find_format(path, &Format::read_volume)) return read_as_slices(*format, path);
   if (const Format* format = find_format(path, &Format::read_slices))
     return format->read_slices(path, options, progress);

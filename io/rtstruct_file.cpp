@@ -1,7 +1,6 @@
 #include "io/rtstruct_file.h"
 
 #include <fmt/format.h>
-#include <gdcmReader.h>
 
 #include <algorithm>
 #include <charconv>
@@ -10,6 +9,7 @@
 #include <set>
 
 #include "io/dicom_header.h"
+#include "io/dicom_reader.h"
 #include "io/dicom_text.h"
 #include "io/dicom_values.h"
 #include "recon/geometry/errors.h"
@@ -142,10 +142,11 @@ RtStructureSet read_rtstruct_file(const std::filesystem::path& path) {
   if (header.kind != DicomKind::kStructureSet)
     throw InputError(path.string(), fmt::format("it is DICOM of modality {}, not a structure set", header.modality),
                      "give an RTSTRUCT file");
-  gdcm::Reader reader;
-  reader.SetFileName(path.c_str());
-  if (!reader.Read()) throw_damaged(path, "the DICOM file is cut off or damaged");
-  const gdcm::DataSet& data = reader.GetFile().GetDataSet();
+  DicomReader reader(path);
+  // The walk over the file ended at pixel data, which no structure set has.
+  const gdcm::Tag pixel_data(0x7fe0, 0x0010);
+  if (!reader->ReadUpToTag(pixel_data)) throw_damaged(path, "the DICOM file is cut off or damaged");
+  const gdcm::DataSet& data = reader->GetFile().GetDataSet();
   RtStructureSet set;
   const auto index_of = read_names(data, set);
   if (set.rois.empty()) throw_damaged(path, "the structure set has no list of ROIs (StructureSetROISequence)");

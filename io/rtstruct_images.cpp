@@ -26,7 +26,7 @@ std::vector<DicomHeader> images_beside(const std::filesystem::path& file, const 
   std::vector<std::optional<DicomHeader>> headers(paths.size());
   tbb::parallel_for(std::size_t{0}, paths.size(), [&](std::size_t i) {
     try {
-      if (has_dicom_magic(paths[i])) headers[i] = read_dicom_header(paths[i]);
+      if (looks_like_dicom(paths[i])) headers[i] = read_dicom_header(paths[i]);
     } catch (const Error&) {
       headers[i].reset();
     }

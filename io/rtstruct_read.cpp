@@ -161,7 +161,7 @@ class OrganReader {
 
 bool is_rtstruct(const std::filesystem::path& path) {
   try {
-    return std::filesystem::is_regular_file(path) && has_dicom_magic(path) &&
+    return std::filesystem::is_regular_file(path) && looks_like_dicom(path) &&
            read_dicom_header(path).kind == DicomKind::kStructureSet;
   } catch (const Error&) {
     return false;

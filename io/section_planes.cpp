@@ -84,7 +84,7 @@ int label_of(const SectionLoop& loop, const Contour& contour, const std::vector<
   for (const int outer : {loop.hole_of, loop.hole_of - 1}) {
     if (outer < 0 || static_cast<std::size_t>(outer) >= loops.size() || contour.points_mm.empty()) continue;
     const auto index = static_cast<std::size_t>(outer);
-    if (&loops[index] != &loop && is_inside({contours[index]}, contour.points_mm.front())) return loops[index].label;
+    if (&loops[index] != &loop && encloses(contours[index], contour)) return loops[index].label;
   }
   return loop.label;
 }
@@ -117,7 +117,8 @@ std::vector<SlicePose> section_poses(const std::vector<SectionPlane>& planes,
 }
 
 std::vector<ContourStack> section_organs(const std::vector<SectionPlane>& planes,
-                                         const std::vector<std::vector<SectionLoop>>& loops, const std::string& file) {
+                                         const std::vector<std::vector<SectionLoop>>& loops, const std::string& file,
+                                         long long label_count) {
   const std::vector<SlicePose> poses = section_poses(planes, loops);
   std::vector<std::vector<Contour>> contours;
   std::vector<std::vector<int>> label_of_loop;
@@ -129,6 +130,10 @@ std::vector<ContourStack> section_organs(const std::vector<SectionPlane>& planes
       of_plane.push_back(label_of(loops[p][i], contours[p][i], loops[p], contours[p]));
     labels.insert(of_plane.begin(), of_plane.end());
   }
+  labels.insert(0);
+  constexpr long long most_unseen = 256;  // a larger count is no list of organs
+  if (*labels.rbegin() < label_count && label_count <= most_unseen)
+    for (int label = 1; label < label_count; ++label) labels.insert(label);
   labels.erase(0);
   std::vector<ContourStack> organs;
   for (const int label : labels) {

@@ -31,9 +31,12 @@ std::vector<SlicePose> section_poses(const std::vector<SectionPlane>& planes,
 
 /// One organ per label, named by it, in the labels' order, with a slice for every plane: such a file says of each
 /// plane all that there is. Label 0, the outside, is left out. A hole bounds the label of the loop around it, whatever
-/// its own says; loops may be counted from 0 or from 1. Throws InputError naming file and plane.
+/// its own says; loops may be counted from 0 or from 1. `label_count` is the number of labels with 0 that the file
+/// announces: those below it that no loop has are organs that are absent everywhere, unless other labels contradict it.
+/// Throws InputError naming file and plane.
 std::vector<ContourStack> section_organs(const std::vector<SectionPlane>& planes,
-                                         const std::vector<std::vector<SectionLoop>>& loops, const std::string& file);
+                                         const std::vector<std::vector<SectionLoop>>& loops, const std::string& file,
+                                         long long label_count = 0);
 
 /// For writing: the organs' slices gathered by plane, each organ's contours in the axes of the first.
 struct WrittenPlane {

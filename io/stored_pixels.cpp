@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace isostack {
 
@@ -18,31 +19,34 @@ class StoredBits {
 
   double operator()(Word word) const {
     const std::uint32_t bits = (static_cast<std::uint32_t>(word) >> down_) & mask_;
-    return static_cast<double>(static_cast<std::int64_t>(bits ^ sign_) - static_cast<std::int64_t>(sign_));
+    return static_cast<double>(static_cast<Signed>(bits ^ sign_) - static_cast<Signed>(sign_));
   }
 
  private:
+  /// Wide enough, and no wider: compilers turn only 32 bits into doubles several at a time.
+  using Signed = std::conditional_t<sizeof(Word) < 4, std::int32_t, std::int64_t>;
+
   int down_;
   std::uint32_t mask_, sign_;
 };
 
 template <class Word>
-void rescale(const char* stored, const DicomHeader& header, float* pixels) {
+void rescale(const char* stored, const DicomHeader& header, std::size_t count, float* pixels) {
   const StoredBits<Word> value_of(header);
-  const std::size_t count = static_cast<std::size_t>(header.rows) * static_cast<std::size_t>(header.columns);
+  const double slope = header.slope, intercept = header.intercept;
   for (std::size_t i = 0; i < count; ++i) {
     Word word;
     std::memcpy(&word, stored + i * sizeof(Word), sizeof(Word));
-    pixels[i] = static_cast<float>(value_of(word) * header.slope + header.intercept);
+    pixels[i] = static_cast<float>(value_of(word) * slope + intercept);
   }
 }
 
 }  // namespace
 
-void rescale_stored(const char* stored, const DicomHeader& header, float* pixels) {
-  if (header.bits_allocated == 8) return rescale<std::uint8_t>(stored, header, pixels);
-  if (header.bits_allocated == 16) return rescale<std::uint16_t>(stored, header, pixels);
-  return rescale<std::uint32_t>(stored, header, pixels);
+void rescale_stored(const char* stored, const DicomHeader& header, std::size_t count, float* pixels) {
+  if (header.bits_allocated == 8) return rescale<std::uint8_t>(stored, header, count, pixels);
+  if (header.bits_allocated == 16) return rescale<std::uint16_t>(stored, header, count, pixels);
+  return rescale<std::uint32_t>(stored, header, count, pixels);
 }
 
 }  // namespace isostack

@@ -49,6 +49,13 @@ LabelMap read_labels(const std::filesystem::path& path) {
   return (format ? *format : format_for(path, &Format::read_labels, "labels")).read_labels(path);
 }
 
+std::vector<LabelMap> read_label_planes(const std::filesystem::path& path) {
+  require_exists(path);
+  const Format* format = label_format(path);
+  if (format && format->read_label_planes) return format->read_label_planes(path);
+  return {read_labels(path)};
+}
+
 void write_labels(const LabelMap& labels, const std::filesystem::path& path, const WriteOptions& options) {
   format_for(path, &Format::write_labels, "a label volume").write_labels(labels, path, options);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "io/read_slices.h"
 #include "io/stored_volume.h"
@@ -28,6 +29,10 @@ bool may_hold_labels(const std::filesystem::path& path);
 /// Labels with what the file says about them: DICOM SEG, NRRD and NIfTI can hold names and colours. Throws InputError
 /// naming the file, also when its values are not whole numbers.
 LabelMap read_labels(const std::filesystem::path& path);
+
+/// The same for planes anywhere: labels that lie on no even grid, as a DICOM SEG may have them, come as one map for
+/// each plane; all others as one map.
+std::vector<LabelMap> read_label_planes(const std::filesystem::path& path);
 
 /// Writes labels as NIfTI, NRRD (.seg.nrrd keeps everything), MetaImage or DICOM SEG (.dcm). Whole file or none.
 void write_labels(const LabelMap& labels, const std::filesystem::path& path, const WriteOptions& options = {});

@@ -57,11 +57,13 @@ class Evolution {
     for (double h : result_.phi.spacing_mm) inverse_h2_ += 1 / (h * h);
   }
 
-  LevelSetResult<D> run(const Progress& progress) {
+  LevelSetResult<D> run(const Progress& progress, const LevelSetObserver<D>& observer) {
     terms_.start(result_.phi);
     result_.stop = LevelSetStop::max_steps;
+    show(observer);
     while (!is_over()) {
       step();
+      show(observer);
       progress.report("level set", static_cast<double>(result_.steps) / std::max(1, options_.max_steps));
     }
     finish();
@@ -78,14 +80,25 @@ class Evolution {
     return result_.stop != LevelSetStop::max_steps || result_.steps >= options_.max_steps;
   }
 
+  std::vector<std::size_t> beside_curve() {
+    std::vector<std::size_t> nodes;
+    for (const std::int32_t slot : band_->layer(0))
+      nodes.push_back(band_->nodes()[static_cast<std::size_t>(slot)].node);
+    return nodes;
+  }
+
+  void show(const LevelSetObserver<D>& observer) {
+    if (observer && result_.stop != LevelSetStop::not_finite &&
+        !observer({result_.phi, beside_curve(), result_.time_mm}))
+      result_.stop = LevelSetStop::observed;
+  }
+
   void finish() {
     const double band_mm = options_.band_pixels * h_mm_;
     if (options_.band_pixels <= narrow_band_pixels<D>) return band_->cut_off(band_mm);
-    std::vector<std::size_t> beside_curve;
-    for (const std::int32_t slot : band_->layer(0))
-      beside_curve.push_back(band_->nodes()[static_cast<std::size_t>(slot)].node);
+    const std::vector<std::size_t> curve = beside_curve();
     band_.reset();
-    redistance(result_.phi, band_mm, beside_curve);
+    redistance(result_.phi, band_mm, curve);
   }
 
   void step() {
@@ -254,14 +267,14 @@ class Evolution {
 
 template <int D>
 LevelSetResult<D> evolve(Field<D> phi, const std::vector<WeightedTerm<D>>& terms, const LevelSetOptions& options,
-                         const Progress& progress) {
+                         const Progress& progress, const LevelSetObserver<D>& observer) {
   check(phi);
-  return Evolution<D>(std::move(phi), terms, options).run(progress);
+  return Evolution<D>(std::move(phi), terms, options).run(progress, observer);
 }
 
 template LevelSetResult<2> evolve(Field<2>, const std::vector<WeightedTerm<2>>&, const LevelSetOptions&,
-                                  const Progress&);
+                                  const Progress&, const LevelSetObserver<2>&);
 template LevelSetResult<3> evolve(Field<3>, const std::vector<WeightedTerm<3>>&, const LevelSetOptions&,
-                                  const Progress&);
+                                  const Progress&, const LevelSetObserver<3>&);
 
 }  // namespace isostack

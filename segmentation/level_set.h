@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -29,6 +31,7 @@ enum class LevelSetStop {
   max_time,
   vanished,   ///< no node is inside (any more)
   flooded,    ///< no node is outside (any more)
+  observed,   ///< the observer had seen enough
   not_finite  ///< a term gave NaN or infinity next to the curve; phi is that before the step
 };
 
@@ -41,6 +44,18 @@ struct LevelSetResult {
   LevelSetStop stop = LevelSetStop::vanished;  ///< why it stopped
 };
 
+/// An evolution before its first step or after one.
+template <int D>
+struct LevelSetState {
+  const Field<D>& phi;                           ///< a distance within two nodes of the curve, elsewhere a sign
+  const std::vector<std::size_t>& beside_curve;  ///< the nodes with a neighbour on the other side
+  double time_mm;
+};
+
+/// Called for every state, from the thread that called evolve; false ends the evolution with that state.
+template <int D>
+using LevelSetObserver = std::function<bool(const LevelSetState<D>&)>;
+
 /// Evolves φ_t = |∇φ| F (Breen et al. 2001, eq. 5), F = Σ weight · term, from the zero set of `phi` (inside where
 /// phi >= 0, any scale), by a sparse field (Whitaker 1998): F is computed at the nodes next to the curve only and
 /// carried along the normal to two layers of neighbours; the step is bounded by the CFL condition. φ stays a distance
@@ -52,11 +67,11 @@ struct LevelSetResult {
 /// `phi`, Cancelled when `progress` says so.
 template <int D>
 LevelSetResult<D> evolve(Field<D> phi, const std::vector<WeightedTerm<D>>& terms, const LevelSetOptions& options = {},
-                         const Progress& progress = {});
+                         const Progress& progress = {}, const LevelSetObserver<D>& observer = {});
 
 extern template LevelSetResult<2> evolve(Field<2>, const std::vector<WeightedTerm<2>>&, const LevelSetOptions&,
-                                         const Progress&);
+                                         const Progress&, const LevelSetObserver<2>&);
 extern template LevelSetResult<3> evolve(Field<3>, const std::vector<WeightedTerm<3>>&, const LevelSetOptions&,
-                                         const Progress&);
+                                         const Progress&, const LevelSetObserver<3>&);
 
 }  // namespace isostack

@@ -115,7 +115,7 @@ GreyWindow grey_window_of(const std::vector<Slice>& slices) {
   return {percentile(0.01), percentile(0.99)};
 }
 
-void add_surface(const TriangleMesh& mesh, std::size_t organ_index, vtkRenderer& renderer) {
+void add_surface(const TriangleMesh& mesh, std::size_t organ_index, double opacity, vtkRenderer& renderer) {
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkPolyData> polydata = polydata_of(mesh);
   if (polydata->GetPointData()->GetNormals()) {
@@ -133,6 +133,7 @@ void add_surface(const TriangleMesh& mesh, std::size_t organ_index, vtkRenderer&
   actor->SetMapper(mapper);
   vtkProperty& look = *actor->GetProperty();
   set_colour(organ_colours(organ_index).surface, look);
+  look.SetOpacity(opacity);
   look.SetInterpolationToPhong();
   look.SetAmbient(0.12);
   look.SetDiffuse(0.88);

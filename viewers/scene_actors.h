@@ -21,7 +21,8 @@ struct GreyWindow {
 GreyWindow grey_window_of(const std::vector<Slice>& slices);
 
 /// Each adds what draws its argument, in world LPS mm, to the renderer. Colours follow from `organ_index`.
-void add_surface(const TriangleMesh& mesh, std::size_t organ_index, vtkRenderer& renderer);
+/// `opacity` is 1 for a solid surface.
+void add_surface(const TriangleMesh& mesh, std::size_t organ_index, double opacity, vtkRenderer& renderer);
 /// `width_pixels`: width of the lines on screen.
 void add_contours(const ContourStack& organ, std::size_t organ_index, double width_pixels, vtkRenderer& renderer);
 void add_slice(const Slice& slice, const GreyWindow& window, vtkRenderer& renderer);

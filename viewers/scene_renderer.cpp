@@ -42,7 +42,8 @@ void add_ambient_occlusion(const std::vector<Eigen::Vector3d>& points_mm, vtkRen
 }  // namespace
 
 void show_scene(const Scene& scene, const SceneLook& look, vtkRenderWindow& window) {
-  const std::vector<Eigen::Vector3d> points_mm = drawn_points(scene);
+  std::vector<Eigen::Vector3d> points_mm = drawn_points(scene);
+  if (!look.framed_points_mm.empty()) points_mm = look.framed_points_mm;
   const Eigen::Vector3d ink = look.dark ? Eigen::Vector3d(0.9, 0.9, 0.9) : Eigen::Vector3d(0.2, 0.2, 0.2);
   const Eigen::Vector3d ground = look.dark ? Eigen::Vector3d(0.09, 0.10, 0.12) : Eigen::Vector3d(1, 1, 1);
   vtkNew<vtkRenderer> renderer;
@@ -50,7 +51,8 @@ void show_scene(const Scene& scene, const SceneLook& look, vtkRenderWindow& wind
   window.AddRenderer(renderer);
 
   const double line_width_pixels = 0.0028 * window.GetSize()[1];
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) add_surface(scene.surfaces[i], i, *renderer);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
+    add_surface(scene.surfaces[i], i, look.surface_opacity, *renderer);
   for (std::size_t i = 0; i < scene.contours.size(); ++i)
     add_contours(scene.contours[i], i, line_width_pixels, *renderer);
   const GreyWindow grey = grey_window_of(scene.slices);
@@ -58,11 +60,16 @@ void show_scene(const Scene& scene, const SceneLook& look, vtkRenderWindow& wind
     if (slice.pixels.size() > 0) add_slice(slice, grey, *renderer);
 
   add_soft_light(*renderer);
-  if (!scene.surfaces.empty()) add_ambient_occlusion(points_mm, *renderer);
+  if (look.surface_opacity < 1) {
+    renderer->UseDepthPeelingOn();  // see-through layers in their order, whatever that of the triangles
+    renderer->SetMaximumNumberOfPeels(12);
+  } else if (!scene.surfaces.empty()) {
+    add_ambient_occlusion(points_mm, *renderer);
+  }
   add_title(scene.title, ink, *renderer);
-  add_scale_bar(ink, *renderer);
+  if (look.marks) add_scale_bar(ink, *renderer);
   aim_camera(points_mm, look.view_from, *renderer);
-  add_orientation_marker(look.dark, *renderer, window);
+  if (look.marks) add_orientation_marker(look.dark, *renderer, window);
 }
 
 }  // namespace isostack

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "viewers/scene.h"
 
@@ -10,7 +11,10 @@ namespace isostack {
 
 struct SceneLook {
   bool dark = false;
-  Eigen::Vector3d view_from = {0.5, -0.9, 0.35};  ///< direction from the scene's centre to the camera, LPS
+  Eigen::Vector3d view_from = {0.5, -0.9, 0.35};       ///< direction from the scene's centre to the camera, LPS
+  std::vector<Eigen::Vector3d> framed_points_mm = {};  ///< what fills the window; empty: all that is drawn
+  bool marks = true;                                   ///< scale bar and cube
+  double surface_opacity = 1;                          ///< 0 to 1
 };
 
 /// Fills a window, whose size is set, with the scene: lit surfaces, contours on top, textured slices, title, scale bar

@@ -33,7 +33,13 @@ vtkNew<vtkUnsignedCharArray> draw(const Scene& scene, const ScreenshotOptions& o
   window->SetMultiSamples(0);
   window->SetDPI(72);  // a point of a font is a pixel, whatever the screen
   window->SetSize(width, height);
-  show_scene(scene, {.dark = options.dark, .view_from = options.view_from}, *window);
+  show_scene(scene,
+             {.dark = options.dark,
+              .view_from = options.view_from,
+              .framed_points_mm = options.framed_points_mm,
+              .marks = options.marks,
+              .surface_opacity = options.surface_opacity},
+             *window);
   window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels);

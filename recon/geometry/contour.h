@@ -44,6 +44,10 @@ bool is_inside(const std::vector<Contour>& contours, const Eigen::Vector2d& poin
 /// Distance to the nearest curve, mm, positive inside; minus infinity where there is no contour.
 double signed_distance_mm(const std::vector<Contour>& contours, const Eigen::Vector2d& point_in_slice_mm);
 
+/// True when `inner` lies within `outer`. Curves may touch in points or along edges, but do not cross; two that
+/// coincide do not enclose each other.
+bool encloses(const Contour& outer, const Contour& inner);
+
 /// Sets every contour's depth by containment and orients it to match (outer positive).
 void orient_by_nesting(std::vector<Contour>& contours);
 

@@ -36,7 +36,7 @@ std::vector<double> distances_to_mesh_mm(const std::vector<Eigen::Vector3d>& poi
   return distances;
 }
 
-std::vector<Eigen::Vector3d> sample_surface(const TriangleMesh& mesh, std::size_t count, std::uint64_t seed) {
+std::vector<SurfacePoint> sample_triangles(const TriangleMesh& mesh, std::size_t count, std::uint64_t seed) {
   require_triangles(mesh);
   std::vector<double> cumulative_area(mesh.triangles.size());
   double total = 0;
@@ -46,15 +46,22 @@ std::vector<Eigen::Vector3d> sample_surface(const TriangleMesh& mesh, std::size_
   }
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(0, 1);
-  std::vector<Eigen::Vector3d> samples(count);
-  for (Eigen::Vector3d& sample : samples) {
+  std::vector<SurfacePoint> samples(count);
+  for (SurfacePoint& sample : samples) {
     const auto chosen = std::lower_bound(cumulative_area.begin(), cumulative_area.end() - 1, uniform(random) * total);
-    const Triangle t = corners_of(mesh, static_cast<int>(chosen - cumulative_area.begin()));
+    sample.triangle = static_cast<std::size_t>(chosen - cumulative_area.begin());
+    const Triangle t = corners_of(mesh, static_cast<int>(sample.triangle));
     double u = uniform(random), v = uniform(random);
     if (u + v > 1) u = 1 - u, v = 1 - v;
-    sample = t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
+    sample.point_mm = t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
   }
   return samples;
+}
+
+std::vector<Eigen::Vector3d> sample_surface(const TriangleMesh& mesh, std::size_t count, std::uint64_t seed) {
+  std::vector<Eigen::Vector3d> points;
+  for (const SurfacePoint& sample : sample_triangles(mesh, count, seed)) points.push_back(sample.point_mm);
+  return points;
 }
 
 SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b, const SurfaceDistanceOptions& options) {

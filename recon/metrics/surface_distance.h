@@ -23,7 +23,16 @@ struct SurfaceDistanceOptions {
 /// Unsigned distance of each point to the mesh (point to triangle). Throws InputError on an empty mesh.
 std::vector<double> distances_to_mesh_mm(const std::vector<Eigen::Vector3d>& points_mm, const TriangleMesh& mesh);
 
+/// A point on a surface and the triangle it lies on.
+struct SurfacePoint {
+  Eigen::Vector3d point_mm;
+  std::size_t triangle;
+};
+
 /// Points uniformly by area. Throws InputError on an empty mesh.
+std::vector<SurfacePoint> sample_triangles(const TriangleMesh& mesh, std::size_t count, std::uint64_t seed);
+
+/// The same without the triangles. Throws InputError on an empty mesh.
 std::vector<Eigen::Vector3d> sample_surface(const TriangleMesh& mesh, std::size_t count, std::uint64_t seed);
 
 SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b,

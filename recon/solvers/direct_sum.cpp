@@ -41,15 +41,16 @@ namespace isostack {
 namespace HWY_NAMESPACE {
 
 /// Adds to sums[0] the value, and to sums[1 + a] the derivative along each axis a, of any number of axes, at a target.
-void add_at_target(const Kernel& kernel, const SourcePart& sources, const double* target, std::size_t axis_count,
-                   bool with_gradient, double* sums) {
+void add_at_target(const RadialFunction& function, const SourcePart& sources, const double* target,
+                   std::size_t axis_count, bool with_gradient, double* sums) {
   constexpr std::size_t most_axes = 6;
   const Lanes tag;
-  with_kernel(kernel, [&](const auto& phi) HWY_ATTR {
+  with_kernel(function.kernel, [&](const auto& phi) HWY_ATTR {
+    const Vec base = set(function.shift_squared + tiny_squared);
     Vec value = hn::Zero(tag), gradient[most_axes];
     for (Vec& part : gradient) part = hn::Zero(tag);
     for (std::size_t j = sources.first; j < sources.last; j += hn::Lanes(tag)) {
-      Vec squared = set(tiny_squared), offset[most_axes];
+      Vec squared = base, offset[most_axes];
       for (std::size_t a = 0; a < axis_count; ++a) {
         offset[a] = hn::Sub(set(target[a]), hn::LoadU(tag, sources.points.axis(a) + j));
         squared = hn::MulAdd(offset[a], offset[a], squared);
@@ -117,21 +118,21 @@ struct BlockSums {
   }
 };
 
-void add_in_many_dimensions(const Kernel& kernel, const SourcePart& sources, const AxisArrays& targets,
+void add_in_many_dimensions(const RadialFunction& function, const SourcePart& sources, const AxisArrays& targets,
                             std::size_t first, std::size_t last, std::size_t axis_count, bool with_gradient,
                             BlockSums& block) {
   for (std::size_t i = first; i < last; ++i) {
     std::array<double, 6> target{};
     std::array<double, 7> sums{};
     for (std::size_t a = 0; a < axis_count; ++a) target[a] = targets.axis(a)[i];
-    HWY_DYNAMIC_DISPATCH(add_at_target)(kernel, sources, target.data(), axis_count, with_gradient, sums.data());
+    HWY_DYNAMIC_DISPATCH(add_at_target)(function, sources, target.data(), axis_count, with_gradient, sums.data());
     for (std::size_t k = 0; k <= axis_count; ++k) block.columns[k][i - first] += sums[k];
   }
 }
 
 }  // namespace
 
-RadialSums direct_sums(const Kernel& kernel, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
+RadialSums direct_sums(const RadialFunction& function, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
                        const Eigen::MatrixXd& targets, Derivatives derivatives) {
   const auto axis_count = static_cast<std::size_t>(targets.rows());
   const auto target_count = static_cast<std::size_t>(targets.cols());
@@ -154,15 +155,20 @@ RadialSums direct_sums(const Kernel& kernel, const Eigen::MatrixXd& centres, con
     for (std::size_t s = 0; s < from.stride; s += source_block) {
       const std::size_t end = std::min(s + source_block, from.stride);
       if (axis_count <= 3)
-        add_near_sums({kernel, 0}, part_of(from, s, end), padded.data() + s, part_of(to, first, last),
+        add_near_sums(function, part_of(from, s, end), padded.data() + s, part_of(to, first, last),
                       block.arrays(derivatives));
       else
-        add_in_many_dimensions(kernel, {from, padded.data(), s, end}, to, first, last, axis_count,
+        add_in_many_dimensions(function, {from, padded.data(), s, end}, to, first, last, axis_count,
                                derivatives != Derivatives::none, block);
     }
     block.store(first, last, sums);
   });
   return sums;
+}
+
+RadialSums direct_sums(const Kernel& kernel, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
+                       const Eigen::MatrixXd& targets, Derivatives derivatives) {
+  return direct_sums(RadialFunction{kernel, 0}, centres, weights, targets, derivatives);
 }
 
 Eigen::VectorXd direct_sum(const Kernel& kernel, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "recon/kernels/kernel.h"
+#include "recon/solvers/radial_function.h"
 #include "recon/solvers/radial_sums.h"
 
 namespace isostack {
@@ -19,6 +20,10 @@ Eigen::MatrixXd direct_sum_gradient(const Kernel& kernel, const Eigen::MatrixXd&
 
 /// Values and derivatives in one pass. Second derivatives are given up to n = 3.
 RadialSums direct_sums(const Kernel& kernel, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
+                       const Eigen::MatrixXd& targets, Derivatives derivatives);
+
+/// The same with centres a fixed distance off in a further dimension.
+RadialSums direct_sums(const RadialFunction& function, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
                        const Eigen::MatrixXd& targets, Derivatives derivatives);
 
 }  // namespace isostack

@@ -43,8 +43,8 @@ struct FastField::Sources {
   Octree tree;
   std::vector<double> sorted_weights;
 
-  Sources(const Kernel& kernel, const Eigen::MatrixXd& at, const Eigen::VectorXd& with, const Options& given)
-      : function{kernel, 0},
+  Sources(const RadialFunction& summed, const Eigen::MatrixXd& at, const Eigen::VectorXd& with, const Options& given)
+      : function(summed),
         centres(at),
         weights(with),
         options(given),
@@ -73,7 +73,11 @@ struct FastField::Gathered {
 
 FastField::FastField(const Kernel& kernel, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
                      const Options& options)
-    : sources_(std::make_unique<Sources>(kernel, centres, weights, options)) {
+    : FastField(RadialFunction{kernel, 0}, centres, weights, options) {}
+
+FastField::FastField(const RadialFunction& function, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
+                     const Options& options)
+    : sources_(std::make_unique<Sources>(function, centres, weights, options)) {
   choose_order();
 }
 
@@ -85,7 +89,8 @@ FastField& FastField::operator=(FastField&&) noexcept = default;
 /// falling: as rounding grows with the order, one skipped below may then be the best.
 void FastField::choose_order() {
   const Eigen::MatrixXd sample = sample_near(sources_->centres);
-  const Eigen::VectorXd expected = direct_sum(sources_->function.kernel, sources_->centres, sources_->weights, sample);
+  const Eigen::VectorXd expected =
+      direct_sums(sources_->function, sources_->centres, sources_->weights, sample, Derivatives::none).values;
   const auto attempt = [&](int order) {
     auto next = std::make_unique<Gathered>(*sources_, order);
     const double error = (fast_sums(*next, sample, Derivatives::none).values - expected).cwiseAbs().maxCoeff();
@@ -124,7 +129,7 @@ bool FastField::is_direct(const Eigen::MatrixXd& points) const {
 
 RadialSums FastField::sums(const Eigen::MatrixXd& points, Derivatives derivatives) const {
   if (is_direct(points))
-    return direct_sums(sources_->function.kernel, sources_->centres, sources_->weights, points, derivatives);
+    return direct_sums(sources_->function, sources_->centres, sources_->weights, points, derivatives);
   return fast_sums(*gathered_, points, derivatives);
 }
 

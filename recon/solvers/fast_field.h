@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "recon/kernels/kernel.h"
+#include "recon/solvers/radial_function.h"
 #include "recon/solvers/radial_sums.h"
 
 namespace isostack {
@@ -24,6 +25,9 @@ class FastField {
   };
 
   FastField(const Kernel& kernel, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
+            const Options& options);
+  /// With the centres a fixed distance off in a further dimension.
+  FastField(const RadialFunction& function, const Eigen::MatrixXd& centres, const Eigen::VectorXd& weights,
             const Options& options);
   ~FastField();
   FastField(FastField&&) noexcept;

@@ -158,6 +158,7 @@ ExtractedSurface extract_surface(const ScalarField& field, const std::vector<Eig
       cut_to_bounds(field, {options.bounds, options.half_spaces, 1e-3 * options.resolution_mm}, was_cut);
   CubicLattice lattice(options.bounds, options.resolution_mm);
   const std::vector<Key> crossed = follow_surface(lattice, cut_field, seeds_mm, progress);
+  if (crossed.empty() && options.may_be_empty) return result;
   if (crossed.empty())
     throw GeometryError("surface", "the function has no zero set near the contours",
                         "check the contours or give a finer --resolution");

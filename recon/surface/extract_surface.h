@@ -15,6 +15,7 @@ struct ExtractionOptions {
   Eigen::AlignedBox3d bounds;                             ///< the surface is cut off, and closed, at this box
   std::vector<Eigen::Hyperplane<double, 3>> half_spaces;  ///< and where one of these is negative
   double vertex_tolerance = 1e-4;  ///< how far a vertex may be from f = 0 along its edge, in cells
+  bool may_be_empty = false;       ///< no surface at all is a result (a mesh without triangles), not an error
 };
 
 struct ExtractedSurface {
@@ -26,7 +27,7 @@ struct ExtractedSurface {
 
 /// The zero set of f that passes near the seeds (Bloomenthal 1994): starts at the cells round the
 /// seeds and visits only cells the surface passes. Vertices are roots of f along cell edges.
-/// Throws GeometryError when no surface is found at all.
+/// Throws GeometryError when no surface is found at all, unless it may be empty.
 ExtractedSurface extract_surface(const ScalarField& field, const std::vector<Eigen::Vector3d>& seeds_mm,
                                  const ExtractionOptions& options, const Progress& progress = {});
 

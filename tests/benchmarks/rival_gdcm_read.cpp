@@ -1,9 +1,11 @@
 // rival_gdcm_read DIR: reads the bytes of every file in DIR one after the other, then decodes them with GDCM's image
-// reader, three times. The rival of read_series; links nothing of isostack.
+// reader; least of five. The rival of read_series; links nothing of isostack.
 #include <gdcmDirectory.h>
 #include <gdcmImageReader.h>
 #include <gdcmTrace.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -35,13 +37,20 @@ int main(int argc, char** argv) {
   gdcm::Directory directory;
   directory.Load(argc > 1 ? argv[1] : ".");
   std::vector<char> buffer(1 << 20);
-  for (int run = 0; run < 3; ++run) {
+  double least_reading_s = 1e9, least_decoding_s = 1e9;
+  std::size_t decoded = 0;
+  for (int run = 0; run < 5; ++run) {
     auto start = Clock::now();
     for (const std::string& path : directory.GetFilenames()) read_bytes(path, buffer);
-    const double reading_s = seconds_since(start);
+    least_reading_s = std::min(least_reading_s, seconds_since(start));
     start = Clock::now();
-    std::size_t decoded = 0;
+    decoded = 0;
     for (const std::string& path : directory.GetFilenames()) decoded += decode(path) ? 1 : 0;
-    std::printf("bytes %.3f s, GDCM %zu pictures %.3f s\n", reading_s, decoded, seconds_since(start));
+    least_decoding_s = std::min(least_decoding_s, seconds_since(start));
   }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  std::printf("seconds %.3f\npeak_gb %.2f\nremark %zu slices, least of 5 runs: bytes %.3f s, GDCM %.3f s\n",
+              least_reading_s + least_decoding_s, static_cast<double>(usage.ru_maxrss) / 1e6, decoded, least_reading_s,
+              least_decoding_s);
 }

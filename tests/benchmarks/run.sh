@@ -22,6 +22,8 @@ rival-scipy-10k  |     |     |      | rival_scipy.py 10000
 pipeline-200k    |     |     | 1e-3 | surface_star_stack 262 2
 rival-cgal-200k  |     |     |      | rival_cgal_poisson 262 MESH
 rival-pcl-200k   |     |     |      | rival_pcl_poisson 262 MESH
+read-300         |     |     |      | read_series SERIES
+rival-gdcm-300   |     |     |      | rival_gdcm_read SERIES
 '
 
 wanted=()
@@ -73,6 +75,10 @@ run_case() {
   fi
   local unit output status=0 units
   unit=$(value_of seconds "$("$bin/dsysv_unit")")
+  if [ "${1:-}" = SERIES ]; then  # 300 slices of 512 x 512 pixels of 16 bits, 160 MB
+    [ -d "$scratch/series" ] || "$bin/read_series" --make "$scratch/series" 300
+    set -- "$scratch/series"
+  fi
   # Interpreter and program are two words.
   # shellcheck disable=SC2046
   output=$($(program_of "$program") "${@/#MESH/$scratch/$name.ply}" 2>"$scratch/errors") || status=$?

@@ -51,7 +51,21 @@ TEST_F(BadInput, TruncatedDicomFile) {
   make_sample();
   const std::filesystem::path victim = a_slice(4);
   std::filesystem::resize_file(victim, std::filesystem::file_size(victim) / 2);
-  expect_refusal(series.string() + " --level 25", {victim.filename().string()});
+  expect_refusal(victim.string() + " --level 25", {victim.filename().string(), "cut off or damaged"});
+}
+
+TEST_F(BadInput, TruncatedDicomFileOfAFolderIsLeftOutAndTold) {
+  make_sample();
+  const std::filesystem::path victim = a_slice(4);
+  std::filesystem::resize_file(victim, std::filesystem::file_size(victim) / 2);
+  const ProgramRun run = isostack("segment " + series.string() + " --level 25 --json -o " + path("organ.vtp"));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  for (const std::string& word : {victim.filename().string(), std::string("damaged files"), std::string("uneven gaps")})
+    EXPECT_NE(run.err.find(word), std::string::npos) << word << " not in: " << run.err;
+  EXPECT_EQ(run.json()["organs"][0]["slices"], 29);
+  // With every file like that nothing is left.
+  for (int i = 0; i < 30; ++i) std::filesystem::resize_file(a_slice(i), 900);
+  expect_refusal(series.string() + " --level 25", {"30 of its DICOM files cannot be read"});
 }
 
 TEST_F(BadInput, LevelThatNoPixelCrosses) {

@@ -55,6 +55,18 @@ TEST_F(ConvertTest, FormatsThatSpeakOfEveryPlaneAreNoted) {
   EXPECT_NE(run.err.find("tumour: 1 of 3 planes say nothing about it"), std::string::npos) << run.err;
 }
 
+TEST_F(ConvertTest, OrgansThatAFormatCannotHoldAreNoted) {
+  std::vector<ContourStack> organs = two_organs();
+  organs.push_back(ContourStack{.name = "spleen", .slices = {}});
+  write_contours(organs, path("a.json"));
+  const ProgramRun edges = isostack("convert " + path("a.json") + " -o " + path("b.contour"));
+  EXPECT_EQ(edges.exit_code, 0);
+  EXPECT_NE(edges.err.find("spleen: it has no contours, so b.contour cannot hold it"), std::string::npos) << edges.err;
+  const ProgramRun structure_set = isostack("convert " + path("a.json") + " -o " + path("b.dcm"));
+  EXPECT_EQ(structure_set.err.find("cannot hold it"), std::string::npos) << structure_set.err;
+  EXPECT_EQ(read_contours(path("b.dcm")).at(2).name, "spleen");
+}
+
 TEST_F(ConvertTest, VolumesComeBackFromEveryFormat) {
   write_volume(ramp(), path("a.nii"));
   convert_in_turn({"a.nii", "b.nrrd", "c.mha", "d.nii.gz", "e.nii"});

@@ -2,20 +2,17 @@
 // program, against a mesh that others fitted to the same traces.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <fstream>
-#include <map>
-#include <set>
 
 #include "tests/cli/program.h"
+#include "tests/support/fan_closed.h"
+#include "tests/support/obj_mesh.h"
 
 namespace isostack {
 namespace {
 
 using testing_support::ProgramRun;
-
-using Point = std::array<double, 3>;
 
 class Heart : public testing_support::ProgramTest {
  protected:
@@ -24,52 +21,10 @@ class Heart : public testing_support::ProgramTest {
 
   /// The OBJ mesh with each rim closed by a fan to its centroid.
   static void close_by_fans(const std::string& from, const std::string& to) {
-    std::ifstream in(from);
-    std::vector<Point> points;
-    std::vector<std::array<int, 3>> faces;
-    for (std::string word; in >> word;) {
-      if (word == "v") {
-        Point p;
-        in >> p[0] >> p[1] >> p[2];
-        points.push_back(p);
-      } else if (word == "f") {
-        std::array<std::string, 3> corners;
-        in >> corners[0] >> corners[1] >> corners[2];
-        faces.push_back({std::stoi(corners[0]), std::stoi(corners[1]), std::stoi(corners[2])});
-      } else {
-        std::getline(in, word);
-      }
-    }
-    std::map<int, int> rim = rim_of(faces);
-    while (!rim.empty()) {
-      Point sum = {};
-      std::vector<int> loop;
-      for (int v = rim.begin()->first; rim.count(v) > 0;) {
-        loop.push_back(v);
-        for (std::size_t i = 0; i < 3; ++i) sum[i] += points[static_cast<std::size_t>(v - 1)][i];
-        const int next = rim[v];
-        rim.erase(v);
-        v = next;
-      }
-      const auto count = static_cast<double>(loop.size());
-      points.push_back({sum[0] / count, sum[1] / count, sum[2] / count});
-      for (std::size_t i = 0; i < loop.size(); ++i)
-        faces.push_back({loop[(i + 1) % loop.size()], loop[i], static_cast<int>(points.size())});
-    }
+    const TriangleMesh mesh = testing_support::fan_closed(testing_support::obj_mesh(from));
     std::ofstream out(to);
-    for (const Point& p : points) out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-    for (const auto& f : faces) out << "f " << f[0] << ' ' << f[1] << ' ' << f[2] << '\n';
-  }
-
-  /// From each vertex on an edge with one triangle to the next one.
-  static std::map<int, int> rim_of(const std::vector<std::array<int, 3>>& faces) {
-    std::set<std::pair<int, int>> edges;
-    for (const auto& face : faces)
-      for (std::size_t i = 0; i < 3; ++i) edges.emplace(face[i], face[(i + 1) % 3]);
-    std::map<int, int> rim;
-    for (const auto& [a, b] : edges)
-      if (edges.count({b, a}) == 0) rim[a] = b;
-    return rim;
+    for (const Eigen::Vector3d& v : mesh.vertices_mm) out << "v " << v.transpose() << '\n';
+    for (const Eigen::Vector3i& t : mesh.triangles) out << "f " << (t.array() + 1).transpose() << '\n';
   }
 };
 

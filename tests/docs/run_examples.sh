@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# run_examples.sh BIN_DIR: runs every example of docs/commands.md and the sample's part of docs/getting-started.md,
-# in their order, in a scratch folder. Fails at the first that fails.
+# run_examples.sh BIN_DIR: runs every example of docs/commands.md and docs/morphing.md and the sample's part of
+# docs/getting-started.md, in their order, in a scratch folder. Fails at the first that fails.
 set -euo pipefail
 docs=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../docs" && pwd)
 bin=$1
@@ -10,13 +10,14 @@ trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 
 isostack_make_phantom sample
+isostack_make_shapes sample/shapes
 count=0
 while IFS= read -r line; do
   [ -n "${DISPLAY:-}" ] && line=${line/xvfb-run /}
   echo "+ $line"
   eval "$line" >/dev/null
   count=$((count + 1))
-done < <(sed -n 's/^    \(\(xvfb-run \)\?isostack .*\)$/\1/p' "$docs/commands.md"
+done < <(sed -n 's/^    \(\(xvfb-run \)\?isostack .*\)$/\1/p' "$docs/commands.md" "$docs/morphing.md"
   sed -n 's/^    \(\$bin\/isostack .*sample.*\)$/\1/p' "$docs/getting-started.md")
 echo "$count examples ran"
 [ "$count" -ge 8 ]

@@ -14,6 +14,7 @@
 #include "io/rtstruct.h"
 #include "label_support.h"
 #include "rtstruct_support.h"
+#include "seg_support.h"
 
 namespace isostack::testing {
 namespace {
@@ -62,6 +63,12 @@ void write_dicom_seeds(const Path& folder) {
   write_bytes(folder / "big_endian", picture_at(3, "1.2.3.4.5").file(big_endian));
   write_bytes(folder / "multi_frame", multi_frame().file());
   write_bytes(folder / "multi_frame_implicit", multi_frame().file(implicit));
+  write_bytes(folder / "fragments", fragments_that_end_with(0));
+  write_bytes(folder / "fragments_bad_end", fragments_that_end_with(0x53010000));
+  write_bytes(folder / "without_preamble", picture_at(3, "1.2.3.4.5").file().substr(132));
+  write_bytes(folder / "bare_explicit", picture_at(3, "1.2.3.4.5").encoded({}));
+  write_bytes(folder / "bare_implicit", multi_frame().encoded(implicit));
+  write_bytes(folder / "bare_big_endian", picture_at(3, "1.2.3.4.5").encoded(big_endian));
 }
 
 void write_rtstruct_seeds(const Path& folder) {
@@ -73,6 +80,18 @@ void write_rtstruct_seeds(const Path& folder) {
       {{"one", "ORGAN", "255\\0\\0", {square, overlapping}}, {"two", "PTV", "", {oblique, {"POINT", {{1, 2, 3}}}}}});
   write_bytes(folder / "several", several.file());
   write_bytes(folder / "implicit", several.file({false, false}));
+  write_bytes(folder / "bare_implicit", several.encoded({false, false}));
+}
+
+void write_seg_seeds(const Path& folder) {
+  const std::vector<TestFrame> even = {{1, 100, dot}, {2, 104, other}, {1, 108, dot}},
+                               uneven = {{1, 100, dot}, {2, 101, other}, {1, 107.43, dot}, {2, 107.43, dot}};
+  write_dicom_seg(overlapping_organs(), folder / "organs.dcm");
+  write_bytes(folder / "uneven", segmentation(uneven).file());
+  write_bytes(folder / "bare_implicit", segmentation(even).encoded({false, false}));
+  DicomBytes label_map = with_bytes(segmentation(even), even, [](char pixel) { return pixel == '#' ? '\2' : '\0'; });
+  label_map.text(0x00620001, "CS", "LABELMAP").text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.66.7");
+  write_bytes(folder / "label_map", label_map.file());
 }
 
 void write_volume_seeds(const Path& top) {
@@ -82,7 +101,6 @@ void write_volume_seeds(const Path& top) {
   grey.header.value_type = "int16";
   grey.header.slope = 0.5;
   grey.bytes.assign(grey.header.grid.voxel_count() * 2, 3);
-  write_dicom_seg(organs, top / "seg" / "organs.dcm");
   write_nifti(grey, top / "nifti" / "grey.nii");
   write_nifti_labels(single, top / "nifti" / "labels.nii");
   write_nifti_labels(single, top / "nifti" / "labels.nii.gz");
@@ -124,6 +142,7 @@ void write_all(const Path& top) {
     std::filesystem::create_directories(top / format);
   write_dicom_seeds(top / "dicom");
   write_rtstruct_seeds(top / "rtstruct");
+  write_seg_seeds(top / "seg");
   write_volume_seeds(top);
   write_json_contours(ring(), top / "json" / "ring.json");
   write_csl(ring(), top / "csl" / "ring.csl");

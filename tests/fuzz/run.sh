@@ -27,8 +27,8 @@ done
 export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=0 UBSAN_OPTIONS=print_stacktrace=1
 failed=()
 for format in "${formats[@]}"; do
-  "$build/bin/${format}_fuzz" -max_total_time="$seconds" -max_len=16384 -timeout=10 -rss_limit_mb=2048 -seed=1 \
-    -use_value_profile=1 -print_final_stats=1 -artifact_prefix="$corpus/findings/$format-" "$corpus/$format" \
+  "$build/bin/${format}_fuzz" -max_total_time="$seconds" -max_len=16384 -timeout=10 -rss_limit_mb=2048 \
+    -malloc_limit_mb=1024 -seed=1 -use_value_profile=1 -print_final_stats=1 -artifact_prefix="$corpus/findings/$format-" "$corpus/$format" \
     >"$corpus/$format.log" 2>&1 || failed+=("$format")
   echo "$format: $(sed -n 's/^stat::number_of_executed_units: *//p' "$corpus/$format.log") inputs"
 done

@@ -8,7 +8,7 @@ namespace {
 void read_segmentation(const std::filesystem::path& path) {
   const bool is_plain = isostack::read_dicom_header(path).pixel_offset != 0;
   if (is_plain)
-    isostack::read_dicom_seg(path);
+    isostack::read_dicom_seg_planes(path);
   else
     isostack::read_dicom_seg_grid(path);
 }

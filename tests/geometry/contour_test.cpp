@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
@@ -57,6 +58,41 @@ TEST(SignedDistance, OfARingIsToTheNearerCurve) {
 TEST(SignedDistance, WithoutContoursIsMinusInfinity) {
   EXPECT_TRUE(std::isinf(signed_distance_mm({}, {0, 0})));
   EXPECT_LT(signed_distance_mm({}, {0, 0}), 0);
+}
+
+/// Every vertex of each once as its first, and both orders: what a curve begins with means nothing.
+void expect_nesting(Contour a, Contour b, int depth_of_a, int depth_of_b) {
+  for (std::size_t i = 0; i < a.points_mm.size(); ++i) {
+    std::rotate(a.points_mm.begin(), a.points_mm.begin() + 1, a.points_mm.end());
+    for (std::size_t j = 0; j < b.points_mm.size(); ++j) {
+      std::rotate(b.points_mm.begin(), b.points_mm.begin() + 1, b.points_mm.end());
+      std::vector<Contour> loops = {a, b}, reversed = {b, a};
+      orient_by_nesting(loops);
+      orient_by_nesting(reversed);
+      EXPECT_EQ(loops[0].depth, depth_of_a) << i << " " << j;
+      EXPECT_EQ(loops[1].depth, depth_of_b) << i << " " << j;
+      EXPECT_EQ(reversed[0].depth, depth_of_b) << i << " " << j;
+      EXPECT_EQ(reversed[1].depth, depth_of_a) << i << " " << j;
+    }
+  }
+}
+
+TEST(OrientByNesting, CurvesMayTouch) {
+  for (const double angle : {0.0, 0.3, 1.1, 2.9}) {  // of the whole figure: rounding differs
+    const Eigen::Rotation2Dd turn(angle);
+    const auto curve = [&](std::vector<Eigen::Vector2d> points) {
+      for (Eigen::Vector2d& point : points) point = turn * point + Eigen::Vector2d(-31.7, 12.9);
+      return Contour{.points_mm = points};
+    };
+    const Contour square = curve({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+    expect_nesting(square, curve({{0, 0}, {4, 1}, {1, 4}}), 0, 1);                // a hole in its corner
+    expect_nesting(square, curve({{10, 3}, {4, 3}, {4, 7}}), 0, 1);               // a vertex on its edge
+    expect_nesting(square, curve({{5, 0}, {10, 5}, {5, 10}, {0, 5}}), 0, 1);      // every vertex on its edges
+    expect_nesting(square, curve({{0, 2}, {5, 2}, {5, 8}, {0, 8}}), 0, 1);        // along its edge
+    expect_nesting(square, curve({{0, 0}, {10, 0}, {10, 10}}), 0, 1);             // edge midpoints tell
+    expect_nesting(square, curve({{10, 10}, {14, 11}, {11, 14}}), 0, 0);          // tip to tip
+    expect_nesting(square, curve({{10, 0}, {20, 0}, {20, 10}, {10, 10}}), 0, 0);  // side by side
+  }
 }
 
 TEST(OrientByNesting, GivesDepthAndDirectionWhateverTheOrder) {

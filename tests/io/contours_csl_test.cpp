@@ -82,6 +82,44 @@ TEST(Csl, TakesEitherSignOfDAndHolesCountedFromOne) {
   EXPECT_DOUBLE_EQ(area_mm2(organs[0].slices[0]), 100 - 16);
 }
 
+TEST(Csl, LoopsThatTouchInAVertexNestByWhatTheyEnclose) {
+  const TemporaryFolder folder;
+  // A square of 10; a hole of 7.5 mm² that begins in its first corner; tip to tip with the square a triangle of 7.5.
+  const std::string vertices = "0 0 5\n10 0 5\n10 10 5\n0 10 5\n4 1 5\n1 4 5\n14 11 5\n11 14 5\n";
+  for (const char* hole : {"3 1 0 4 5", "3h0 1 0 4 5", "3h1 2 0 5 4", "3h0 1 4 5 0"})
+    for (const char* square : {"4 1 0 1 2 3", "4 1 2 3 0 1", "4 1 1 0 3 2"}) {
+      SCOPED_TRACE(std::string(hole) + ", " + square);
+      write_bytes(folder / "a.csl",
+                  "CSLC\n1 2\n\n1 8 3 0 0 1 -5\n\n" + vertices + "\n" + square + "\n" + hole + "\n3 1 2 6 7\n");
+      std::vector<ContourStack> organs = read_contours(folder / "a.csl");
+      ASSERT_EQ(organs.size(), 1u);
+      EXPECT_NEAR(area_mm2(organs[0].slices[0]), 100 - 7.5 + 7.5, 1e-9);
+      EXPECT_EQ(organs[0].slices[0].contours.at(1).depth, 1);
+      EXPECT_EQ(organs[0].slices[0].contours.at(2).depth, 0);
+      write_contours(organs, folder / "b.csl");
+      organs = read_contours(folder / "b.csl");
+      EXPECT_NEAR(area_mm2(organs.at(0).slices[0]), 100, 1e-9);
+      write_contours(organs, folder / "c.contour");
+      organs = read_contours(folder / "c.contour");
+      EXPECT_NEAR(area_mm2(organs.at(0).slices[0]), 100, 1e-9);
+    }
+}
+
+TEST(Csl, LabelsWithoutLoopsAreOrgansThatAreAbsent) {
+  const TemporaryFolder folder;
+  const std::string text = two_planes;
+  const auto organs_with = [&](const std::string& count) {
+    write_bytes(folder / "a.csl", damaged(text, "2 3\n", "2 " + count + "\n"));
+    return read_contours(folder / "a.csl");
+  };
+  const std::vector<ContourStack> organs = organs_with("5");
+  ASSERT_EQ(organs.size(), 4u);
+  EXPECT_EQ(organs[3].name, "4");
+  EXPECT_EQ(organs[3].slices.size(), 2u);
+  EXPECT_EQ(point_count(organs[3]), 0u);
+  for (const char* count : {"0", "1", "2", "3", "1000000000", "-7"}) EXPECT_EQ(organs_with(count).size(), 2u) << count;
+}
+
 TEST(Csl, RoundTripKeepsCurvesToTheLastDigit) {
   const TemporaryFolder folder;
   const SlicePose pose = testing::oblique_pose();

@@ -70,6 +70,37 @@ TEST(ConversionMatrix, ContoursKeepWhatBothFormatsHold) {
   });
 }
 
+TEST(ConversionMatrix, OrgansWithoutContoursStayWhereFormatsHoldThem) {
+  const auto write = [](const Path& path) {
+    std::vector<ContourStack> organs = two_organs();
+    organs.insert(organs.begin() + 1, ContourStack{.name = "nowhere", .slices = {}});
+    organs.push_back(ContourStack{.name = "nothing", .slices = {}});
+    write_contours(organs, path);
+  };
+  const auto convert = [](const Path& in, const Path& out) { write_contours(read_contours(in), out); };
+  for_each_pair({".json", ".vtp", ".csl", ".dcm"}, write, convert,
+                [](const Path& path, const auto& from, const auto& to) {
+                  const std::vector<ContourStack> organs = read_contours(path);
+                  ASSERT_EQ(organs.size(), 4u) << from << to;
+                  for (const std::size_t o : {1u, 3u}) EXPECT_EQ(point_count(organs[o]), 0u) << from << to;
+                  for (const std::size_t o : {0u, 2u}) EXPECT_EQ(point_count(organs[o]), 12u) << from << to;
+                  if (from == ".csl" || to == ".csl") return;  // names are numbers there
+                  EXPECT_EQ(organs[1].name, "nowhere") << from << to;
+                  EXPECT_EQ(organs[3].name, "nothing") << from << to;
+                });
+}
+
+TEST(ConversionMatrix, FilesOfNothingButEmptyOrgans) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.json", "a.vtp", "a.csl", "a.dcm"}) {
+    write_contours({ContourStack{.name = "1", .slices = {}}}, folder / name);
+    const std::vector<ContourStack> organs = read_contours(folder / name);
+    ASSERT_EQ(organs.size(), 1u) << name;
+    EXPECT_EQ(organs[0].name, "1") << name;
+    EXPECT_EQ(point_count(organs[0]), 0u) << name;
+  }
+}
+
 TEST(ConversionMatrix, VolumesKeepValuesTypeAndPose) {
   const auto write = [](const Path& path) { write_volume(ramp(), path); };
   const auto convert = [](const Path& in, const Path& out) { write_volume(read_stored_volume(in), out); };

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io_support.h"
+#include "tests/io/io_support.h"
 
 namespace isostack::testing {
 
@@ -134,6 +134,16 @@ inline DicomBytes picture_at(double z_mm, const std::string& instance_uid) {
   data.text(0x00200032, "DS", decimals({-10, -20, z_mm})).text(0x00200037, "DS", "1\\0\\0\\0\\1\\0");
   data.text(0x00280030, "DS", "3\\2");  // rows are 3 mm apart, columns 2
   return data;
+}
+
+/// A picture whose pixels are one RLE fragment of four bytes; its end claims a value of `claimed` bytes.
+inline std::string fragments_that_end_with(std::uint64_t claimed) {
+  std::string bytes = picture_without_place("1.2.3").us(0x00280010, 1).us(0x00280011, 4).without(0x7fe00010).file();
+  const std::string plain = "1.2.840.10008.1.2.1", rle = "1.2.840.10008.1.2.5";
+  bytes.replace(bytes.find(plain), plain.size(), rle);
+  const std::string item("\xfe\xff\x00\xe0", 4), end("\xfe\xff\xdd\xe0", 4);
+  bytes += std::string("\xe0\x7f\x10\x00OB\x00\x00\xff\xff\xff\xff", 12);
+  return bytes + item + little(0, 4) + item + little(4, 4) + "\3abc" + end + little(claimed, 4);
 }
 
 }  // namespace isostack::testing

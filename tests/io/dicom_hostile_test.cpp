@@ -36,11 +36,13 @@ std::string two_frames() {
 
 TEST(DicomHostile, EveryTruncationOfAMultiFrameFileIsRefused) {
   const TemporaryFolder folder;
-  const std::string whole = two_frames();
-  for (std::size_t length = 0; length < whole.size(); ++length) {
-    write_bytes(folder / "x.dcm", whole.substr(0, length));
-    EXPECT_THROW(read_slices(folder / "x.dcm"), Error) << length << " of " << whole.size() << " bytes";
-  }
+  const std::string with_header = two_frames();
+  const std::string without_header = with_header.substr(with_header.find(std::string("\x08\x00\x16\x00UI", 6)));
+  for (const std::string& whole : {with_header, without_header})
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+      write_bytes(folder / "x.dcm", whole.substr(0, length));
+      EXPECT_THROW(read_slices(folder / "x.dcm"), Error) << length << " of " << whole.size() << " bytes";
+    }
 }
 
 TEST(DicomHostile, FlippedBitsAreReadOrRefused) {
@@ -76,6 +78,14 @@ TEST(DicomHostile, SizesThatTheFileCannotHold) {
             std::string::npos);
 }
 
+TEST(DicomHostile, DelimitersThatClaimMoreThanIsThere) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "x.dcm", fragments_that_end_with(0));
+  EXPECT_TRUE(read_dicom_header(folder / "x.dcm").is_compressed);
+  write_bytes(folder / "x.dcm", fragments_that_end_with(0x53010000));  // GDCM makes room for these 1.4 GB
+  EXPECT_NE(message_of([&] { read_dicom_header(folder / "x.dcm"); }).find("cut off or damaged"), std::string::npos);
+}
+
 TEST(DicomHostile, MissingTagsAreNamed) {
   const TemporaryFolder folder;
   const std::pair<std::uint32_t, std::string> needed[] = {
@@ -101,12 +111,6 @@ TEST(DicomHostile, PairsOfLettersThatAreNoVrAreDamage) {
     EXPECT_NE(message_of([&] { read_dicom_header(folder / "x.dcm"); }).find("cut off or damaged"), std::string::npos)
         << vr;
   }
-}
-
-TEST(DicomHostile, FilesMustSayHowTheyAreWritten) {
-  const TemporaryFolder folder;
-  write_bytes(folder / "x.dcm", std::string(128, '\0') + "DICM" + picture_at(0, "1.2.3").encoded({}));
-  EXPECT_NE(message_of([&] { read_dicom_header(folder / "x.dcm"); }).find("cut off or damaged"), std::string::npos);
 }
 
 TEST(DicomHostile, ValuesThatAreNoNumbersAreMissing) {
@@ -140,11 +144,11 @@ TEST(DicomHostile, UnreadableFilesAreTold) {
   write_bytes(folder / "a.dcm", picture_at(0, "1.2.3").file());
   write_bytes(folder / "b.dcm", picture_at(5, "1.2.4").file());
   std::filesystem::permissions(folder / "b.dcm", std::filesystem::perms::none);
-  EXPECT_NE(message_of([&] { read_slices(folder.path()); }).find("b.dcm: the file cannot be opened"),
-            std::string::npos);
+  EXPECT_TRUE(has_warning(read_slices(folder.path()).warnings,
+                          "damaged files: left out, so a slice may be missing: b.dcm: the file cannot be opened"));
 }
 
-TEST(DicomHostile, FilesWithoutTheMagicBytesAreRefusedAsSuch) {
+TEST(DicomHostile, FilesThatAreNotDicomAreRefusedAsSuch) {
   const TemporaryFolder folder;
   write_bytes(folder / "x.dcm", std::string(200, 'x'));
   EXPECT_NE(message_of([&] { read_slices(folder / "x.dcm"); }).find("x.dcm: it is not a DICOM file"),

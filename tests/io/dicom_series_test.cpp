@@ -1,5 +1,6 @@
 #include "io/dicom_series.h"
 
+#include "compressed_files.h"
 #include "io/inspect.h"
 #include "io/read_slices.h"
 #include "io/volume_files.h"
@@ -155,6 +156,42 @@ TEST(DicomSeriesErrors, EveryTruncationIsNoticed) {
     EXPECT_THROW(read_slices(folder.path()), Error) << length << " of " << whole.size() << " bytes";
   }
   EXPECT_NE(message_of([&] { read_slices(folder.path()); }).find("slice_0001.dcm: "), std::string::npos);
+}
+
+TEST(DicomSeriesErrors, ADamagedFileOfManyIsLeftOutAndNamed) {
+  const TemporaryFolder folder;
+  write_dicom_series(oblique_stack({0, 2, 4, 6, 8, 10}), folder.path());
+  std::filesystem::resize_file(folder / "slice_0003.dcm", 900);
+  const SliceStack stack = read_slices(folder.path());
+  EXPECT_EQ(stack.slices.size(), 5u);
+  EXPECT_TRUE(has_warning(stack.warnings, "damaged files: left out, so a slice may be missing: slice_0003.dcm: "));
+  EXPECT_TRUE(has_warning(stack.warnings, "missing slices: "));
+  expect_pixels_at_their_place(stack, 1);
+  // The file itself is refused, and so is a folder with nothing else.
+  EXPECT_THROW(read_slices(folder / "slice_0003.dcm"), InputError);
+  for (int i : {1, 2, 4, 5, 6}) std::filesystem::remove(folder / ("slice_000" + std::to_string(i) + ".dcm"));
+  EXPECT_NE(message_of([&] { read_slices(folder.path()); }).find("slice_0003.dcm: the DICOM file is cut off"),
+            std::string::npos);
+}
+
+TEST(DicomSeriesErrors, PixelsThatCannotBeDecodedAreLeftOutAndNamed) {
+  if (!can_compress_dicom()) GTEST_SKIP() << "gdcmconv (libgdcm-tools) is not installed";
+  const TemporaryFolder folder;
+  write_dicom_series(oblique_stack({0, 2, 4, 6, 8}), folder / "plain");
+  std::filesystem::create_directory(folder / "rle");
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "plain"))
+    ASSERT_TRUE(compress_dicom(entry.path(), folder / "rle" / entry.path().filename(), "rle"));
+  std::string bytes = bytes_of(folder / "rle" / "slice_0002.dcm");
+  std::fill(bytes.end() - 60, bytes.end() - 8, '\x7f');  // literal runs that reach beyond the end
+  write_bytes(folder / "rle" / "slice_0002.dcm", bytes);
+  const SliceStack stack = read_slices(folder / "rle");
+  EXPECT_EQ(stack.slices.size(), 4u);
+  EXPECT_TRUE(
+      has_warning(stack.warnings, "damaged files: left out, so a slice may be missing: slice_0002.dcm: its pixels"));
+  EXPECT_TRUE(has_warning(stack.warnings, "uneven gaps: ") || has_warning(stack.warnings, "missing slices: "));
+  expect_pixels_at_their_place(stack, 1);
+  EXPECT_NE(message_of([&] { read_slices(folder / "rle" / "slice_0002.dcm"); }).find("cannot be decoded"),
+            std::string::npos);
 }
 
 TEST(DicomSeriesErrors, TwoSlicesAtOnePlace) {

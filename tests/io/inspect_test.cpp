@@ -3,6 +3,7 @@
 #include "io/contour_files.h"
 #include "io/write_dicom.h"
 #include "io/write_mesh.h"
+#include "seg_support.h"
 #include "volume_support.h"
 
 namespace isostack::testing {
@@ -49,6 +50,50 @@ TEST(Inspect, DamagedFilesAndRepetitionsAreToldNotThrown) {
   EXPECT_TRUE(has_warning(found[0].warnings, "repeated positions: "));
   EXPECT_EQ(found[1].kind, "DICOM damaged");
   EXPECT_TRUE(has_warning(found[1].warnings, "slice_0001.dcm: "));
+}
+
+TEST(Inspect, SegmentsAreListed) {
+  const TemporaryFolder folder;
+  DicomBytes data = segmentation({{2, 108, other}, {1, 100, "###............"}, {1, 104, dot}});
+  DicomBytes code = segment_item(2, "two");
+  code.sequence(0x0062000f, {DicomBytes().text(0x00080104, "LO", "Spleen")});
+  data.sequence(0x00620002, {segment_item(1, "one"), code, segment_item(3, "three")});
+  write_bytes(folder / "a.dcm", data.file());
+  const SeriesSummary summary = inspect(folder / "a.dcm").front();
+  EXPECT_EQ(summary.kind, "DICOM SEG");
+  EXPECT_EQ(summary.slice_count, 3u);
+  ASSERT_TRUE(summary.gaps);
+  EXPECT_NEAR(summary.gaps->median_mm, 4, 1e-9);
+  ASSERT_EQ(summary.organs.size(), 3u);
+  const std::size_t frames[] = {2, 1, 0}, voxels[] = {4, 1, 0};
+  const char *names[] = {"one", "two", "three"}, *types[] = {"", "Spleen", ""};
+  for (std::size_t s = 0; s < 3; ++s) {
+    EXPECT_EQ(summary.organs[s].number, static_cast<int>(s) + 1);
+    EXPECT_EQ(summary.organs[s].name, names[s]);
+    EXPECT_EQ(summary.organs[s].type, types[s]);
+    EXPECT_EQ(summary.organs[s].frame_count, frames[s]);
+    EXPECT_EQ(summary.organs[s].voxel_count, voxels[s]);
+  }
+  EXPECT_TRUE(summary.warnings.empty());
+  write_bytes(folder / "a.dcm", segmentation({{1, 100, dot}, {1, 101, dot}, {1, 107.43, dot}}).file());
+  const SeriesSummary uneven = inspect(folder / "a.dcm").front();
+  EXPECT_EQ(uneven.slice_count, 3u);
+  EXPECT_TRUE(has_warning(uneven.warnings, "uneven frames: "));
+}
+
+TEST(Inspect, SegmentsOfALabelMapAreCountedByValue) {
+  const TemporaryFolder folder;
+  const std::vector<TestFrame> frames = {{0, 104, "2.............."}, {0, 100, "112............"}};
+  DicomBytes data = with_bytes(segmentation(frames), frames,
+                               [](char pixel) { return static_cast<char>(pixel == '.' ? 0 : pixel - '0'); });
+  data.text(0x00620001, "CS", "LABELMAP").text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.66.7");
+  write_bytes(folder / "a.dcm", data.file());
+  const std::vector<OrganSummary> organs = inspect(folder / "a.dcm").front().organs;
+  ASSERT_EQ(organs.size(), 2u);
+  EXPECT_EQ(organs[0].frame_count, 1u);
+  EXPECT_EQ(organs[0].voxel_count, 2u);
+  EXPECT_EQ(organs[1].frame_count, 2u);
+  EXPECT_EQ(organs[1].voxel_count, 2u);
 }
 
 TEST(Inspect, VolumeMeshAndContours) {

@@ -45,5 +45,20 @@ TEST(StoredPixels, BitsSignsAndByteOrders) {
     }
 }
 
+TEST(StoredPixels, PicturesThatAreReadPieceByPiece) {
+  const int columns = 331, rows = 257;  // 170 kB, no multiple of any buffer
+  const TemporaryFolder folder;
+  for (const bool big_endian : {false, true}) {
+    DicomBytes data = picture_at(0, "1.2.3").us(0x00280010, rows).us(0x00280011, columns);
+    std::string pixels;
+    for (int i = 0; i < rows * columns; ++i) pixels += little(static_cast<std::uint64_t>(i % 65521), 2);
+    write_bytes(folder / "x.dcm", data.set(0x7fe00010, "OW", pixels, 2).file({true, big_endian}));
+    const Image<float> read = read_slices(folder / "x.dcm").slices.front().pixels;
+    int differing = 0;
+    for (int i = 0; i < rows * columns; ++i) differing += read.data()[i] != static_cast<float>(i % 65521);
+    EXPECT_EQ(differing, 0);
+  }
+}
+
 }  // namespace
 }  // namespace isostack::testing

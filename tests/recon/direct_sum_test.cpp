@@ -113,6 +113,26 @@ TEST(DirectSum, HessianEqualsAPlainLoop) {
   }
 }
 
+// Centres in a plane of one more dimension, as a section of a morph sees them.
+TEST(DirectSum, AShiftIsADistanceInAFurtherDimension) {
+  for (const Kernel& kernel : {biharmonic(), thin_plate(), triharmonic()})
+    for (const int dimension : {2, 3, 4}) {  // 2 and 3: the near sums; 4: any number of axes
+      const Problem problem = random_problem(dimension, 133, 57, 12);
+      const auto lifted = [&](const Eigen::MatrixXd& points, double height) {
+        Eigen::MatrixXd result(dimension + 1, points.cols());
+        result << points, Eigen::RowVectorXd::Constant(points.cols(), height);
+        return result;
+      };
+      const RadialSums shifted = direct_sums(RadialFunction{kernel, 0.49}, problem.centres, problem.weights,
+                                             problem.targets, Derivatives::first);
+      const RadialSums expected = direct_sums(kernel, lifted(problem.centres, 1.2), problem.weights,
+                                              lifted(problem.targets, 0.5), Derivatives::first);
+      const double scale = expected.values.cwiseAbs().maxCoeff() + expected.gradients.cwiseAbs().maxCoeff();
+      EXPECT_LT((shifted.values - expected.values).cwiseAbs().maxCoeff(), 1e-12 * scale);
+      EXPECT_LT((shifted.gradients - expected.gradients.topRows(dimension)).cwiseAbs().maxCoeff(), 1e-12 * scale);
+    }
+}
+
 TEST(DirectSum, RefusesWhatItCannotSum) {
   const Eigen::MatrixXd points = Eigen::MatrixXd::Random(4, 5);
   EXPECT_THROW(direct_sums(biharmonic(), points, Eigen::VectorXd::Ones(5), points, Derivatives::second), InputError);

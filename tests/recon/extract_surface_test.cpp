@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "recon/geometry/errors.h"
 #include "recon/metrics/mesh_measures.h"
 #include "tests/support/analytic_shapes.h"
 
@@ -83,6 +84,15 @@ TEST(ExtractSurface, AnUnboundedSurfaceIsClosedAtTheBox) {
   EXPECT_TRUE(m.watertight());
   const double volume = std::numbers::pi * 25 * 24;
   EXPECT_NEAR(m.volume_mm3, volume, 0.02 * volume);  // rims are chamfered within one 0.5 mm cell
+}
+
+TEST(ExtractSurface, NoSurfaceIsAnErrorUnlessItMayBe) {
+  const ScalarField ball = field_of([](const Eigen::Vector3d& p) { return sphere_mm(p, 3); });
+  ExtractionOptions options = options_within(12, 0.5);
+  EXPECT_THROW(extract_surface(ball, {{10, 10, 10}}, options), GeometryError);
+  options.may_be_empty = true;
+  EXPECT_TRUE(extract_surface(ball, {{10, 10, 10}}, options).mesh.triangles.empty());
+  EXPECT_TRUE(extract_surface(ball, {}, options).mesh.vertices_mm.empty());
 }
 
 }  // namespace

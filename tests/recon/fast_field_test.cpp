@@ -128,6 +128,20 @@ TEST_P(FastFieldKernels, AnUnreachableToleranceIsOwnedUpTo) {
   EXPECT_LT((field.values(points) - expected).cwiseAbs().maxCoeff(), 1e-6 * expected.cwiseAbs().maxCoeff());
 }
 
+TEST_P(FastFieldKernels, CentresADistanceOffInAFurtherDimension) {
+  const RadialFunction function{kernel_named(GetParam()), 15.0 * 15.0};
+  const Eigen::MatrixXd centres = cloud(3, 6000, 30, 1), points = cloud(3, 5000, 40, 3);
+  Eigen::VectorXd weights = cloud(6000, 1, 1e-3, 2);
+  weights.array() -= weights.mean();
+  const RadialSums expected = direct_sums(function, centres, weights, points, Derivatives::first);
+  const double scale = expected.values.cwiseAbs().maxCoeff();
+  const FastField field(function, centres, weights, {.tolerance = 1e-6 * scale});
+  const RadialSums sums = field.sums(points, Derivatives::first);
+  EXPECT_LT((sums.values - expected.values).cwiseAbs().maxCoeff(), 1e-5 * scale);
+  EXPECT_LT((sums.gradients - expected.gradients).cwiseAbs().maxCoeff(),
+            1e-3 * expected.gradients.cwiseAbs().maxCoeff());
+}
+
 TEST(FastField, PointsFarOutsideAreSummedToo) {
   const Eigen::MatrixXd centres = cloud(3, 6000, 10, 1), far = cloud(3, 4000, 1e4, 5);
   const Eigen::VectorXd weights = cloud(6000, 1, 1, 2);
