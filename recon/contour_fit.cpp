@@ -39,6 +39,7 @@ ContourFit::ContourFit(const ContourStack& contours, const ReconstructOptions& o
       samples_(sample_contours(contours, {.max_samples = first_samples(contours, options),
                                           .min_spacing_pixels = options.sample_spacing_pixels})),
       contour_points_(all_samples(contours)) {
+  thin_places_ = thin_between(contours);
   build_constraints();
   report.smoothing = options.smoothing;
   report.contradictions = find_contradictions(contours);
@@ -112,7 +113,24 @@ std::vector<Disagreement> ContourFit::disagreements(const ImplicitFunction& func
   std::erase_if(check.worst, [&](const Disagreement& d) {
     return is_explained_by(soft_places_, d.point_mm, d.distance_mm, options_.softening);
   });
+  const std::vector<Disagreement> lost = lost_between(function);
+  check.worst.insert(check.worst.end(), lost.begin(), lost.end());
   return std::move(check.worst);
+}
+
+/// Thin parts that neighbouring slices share, where f has lost or swollen them on the way from one to the other.
+std::vector<Disagreement> ContourFit::lost_between(const ImplicitFunction& function) {
+  Eigen::MatrixXd points(3, static_cast<Eigen::Index>(thin_places_.size()));
+  for (std::size_t i = 0; i < thin_places_.size(); ++i)
+    points.col(static_cast<Eigen::Index>(i)) = thin_places_[i].point_mm;
+  const Eigen::VectorXd values = function.values(points);
+  std::vector<Disagreement> lost;
+  for (std::size_t i = 0; i < thin_places_.size(); ++i) {
+    const ThinPlace& place = thin_places_[i];
+    if ((values[static_cast<Eigen::Index>(i)] > 0) != (place.distance_mm > 0))
+      lost.push_back({place.slice, place.point_mm, place.distance_mm});
+  }
+  return lost;
 }
 
 void ContourFit::add(const std::vector<Disagreement>& wrong) {

@@ -8,6 +8,7 @@
 #include "recon/constraints/contour_constraints.h"
 #include "recon/constraints/contour_samples.h"
 #include "recon/constraints/plane_check.h"
+#include "recon/constraints/thin_between.h"
 #include "recon/geometry/contour.h"
 #include "recon/geometry/progress.h"
 #include "recon/reconstruct.h"
@@ -42,6 +43,7 @@ class ContourFit {
   ImplicitFunction settle(int solves);
   ImplicitFunction solve(double tolerance_pixels);
   std::vector<Disagreement> disagreements(const ImplicitFunction& function);
+  std::vector<Disagreement> lost_between(const ImplicitFunction& function);
   void add(const std::vector<Disagreement>& wrong);
   ConstraintSet smoothed_constraints();
   void build_constraints();
@@ -62,6 +64,7 @@ class ContourFit {
   std::vector<double> added_values_mm_;
   std::vector<StrayPoint> strays_;  ///< where sections of the surface were off the contours
   std::vector<SoftPlace> soft_places_;
+  std::vector<ThinPlace> thin_places_;  ///< between slices
   ContourConstraints built_;
   std::unique_ptr<InterpolationSolver> solver_;
   Eigen::VectorXd weights_;  ///< of the last solve; constraints added since are not among them

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "recon/constraints/empty_slices.h"
+#include "recon/constraints/parallel_neighbours.h"
 #include "recon/constraints/plane_lines.h"
 #include "recon/solvers/box_tree.h"
 
@@ -27,19 +28,12 @@ struct LatticePoint {
   std::optional<std::size_t> across = {};  ///< the next parallel slice, when the point lies half-way to it
 };
 
-/// The next slice along the normal, if it is parallel and the gap is wide enough for something to hide in it.
-std::optional<std::size_t> next_along_normal(const ContourStack& stack, std::size_t s) {
+/// The next slice along the normal, if the gap is wide enough for something to hide in it.
+std::optional<std::size_t> next_across_gap(const ContourStack& stack, std::size_t s) {
   constexpr double least_gap_pixels = 2;
-  const SlicePose& pose = stack.slices[s].pose;
-  std::optional<std::size_t> next;
-  double gap_mm = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < stack.slices.size(); ++i) {
-    const double height_mm = pose.signed_distance_mm(stack.slices[i].pose.origin_mm);
-    if (i == s || height_mm <= 1e-3 || height_mm >= gap_mm || !are_parallel(pose, stack.slices[i].pose)) continue;
-    next = i;
-    gap_mm = height_mm;
-  }
-  return gap_mm > least_gap_pixels * pose.spacing_mm.minCoeff() ? next : std::nullopt;
+  const std::optional<ParallelNeighbour> next = next_along_normal(stack, s);
+  if (!next || next->height_mm <= least_gap_pixels * stack.slices[s].pose.spacing_mm.minCoeff()) return {};
+  return next->slice;
 }
 
 double gap_mm(const ContourStack& stack, const LatticePoint& point) {
@@ -68,7 +62,7 @@ std::vector<LatticePoint> lattice_on(const ContourStack& stack, std::size_t max_
     const double step_mm = step_pixels * stack.slices[s].pose.spacing_mm.minCoeff();
     for (double y = region.min().y(); y <= region.max().y(); y += step_mm)
       for (double x = region.min().x(); x <= region.max().x(); x += step_mm) lattice.push_back({s, {x, y}});
-    const std::optional<std::size_t> next = next_along_normal(stack, s);
+    const std::optional<std::size_t> next = next_across_gap(stack, s);
     if (!next || (stack.slices[s].contours.empty() && stack.slices[*next].contours.empty())) continue;
     for (double y = region.min().y(); y <= region.max().y(); y += 2 * step_mm)
       for (double x = region.min().x(); x <= region.max().x(); x += 2 * step_mm) lattice.push_back({s, {x, y}, next});

@@ -4,8 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <cstdlib>
+#include <filesystem>
 #include <random>
 
+#include "io/contour_files.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "recon/geometry/errors.h"
@@ -59,7 +61,9 @@ int run(const char* file, int planes, unsigned seed, const char* kernel, const c
   for (const Eigen::Vector3d& v : truth.vertices_mm) box.extend(v);
   ReconstructOptions options;
   options.kernel = kernel_named(kernel);
-  const Reconstruction result = reconstruct(random_sections(truth, planes, seed), options);
+  const ContourStack sections = random_sections(truth, planes, seed);
+  if (output) write_contours({sections}, std::filesystem::path(output).replace_extension(".json"));
+  const Reconstruction result = reconstruct(sections, options);
   const SurfaceDistance distance = surface_distance(result.surface, truth);
   const MeshMeasures found = measure(result.surface), given = measure(truth);
   const double diagonal = box.diagonal().norm();
