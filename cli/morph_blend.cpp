@@ -49,7 +49,7 @@ void add_blend_options(CLI::App& command, BlendMorphChoice& choice) {
   add_numbers("--blend", choice.blend, 4, "A0,A1,A2,A3",
               "Blend: a0 in mm and the rest (default: a0 so that no frame is empty, 2, 2, 1)");
   add_numbers("--smoothing-blend", choice.smoothing, 4, "A0,A1,A2,A3",
-              "Blend: of the ends (default: 0.8 of the inradius, 0.7, 0.7, 1)");
+              "Blend: of the ends (default: the inradius, 0.7, 0.7, 1)");
   command.add_option("--length", choice.length_mm, "Blend: from one shape to the next in space-time, mm")
       ->check(CLI::PositiveNumber)
       ->type_name("MM");

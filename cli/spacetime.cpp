@@ -29,8 +29,8 @@ double spacing_mm(const std::vector<MorphFrame>& frames, const Morph& morph) {
 TriangleMesh spacetime_surface(const Morph& morph, const SlicePose& pose, const Progress& progress) {
   const std::optional<SpacetimeField> spacetime = morph.spacetime();
   if (!spacetime)
-    throw InputError("--path", "shapes that do not lie on a line have no surface in space-time",
-                     "leave it out, or write contours (.json, .vtp)");
+    throw InputError("-o", "a level-set morph, or shapes that do not lie on a line, have no surface in space-time",
+                     "take another method, leave out --path, or write contours (.json, .vtp)");
   const std::vector<Eigen::Hyperplane<double, 3>> ends = {{Eigen::Vector3d::UnitZ(), spacetime->bounds_mm.min()},
                                                           {-Eigen::Vector3d::UnitZ(), spacetime->bounds_mm.max()}};
   ExtractionOptions options{

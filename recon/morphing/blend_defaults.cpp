@@ -17,7 +17,7 @@ namespace {
 // Measured on overlapping and on disjoint figures: the smallest changes between frames without swelling.
 constexpr double gap_share = 1 / 41.0;
 constexpr BlendParameters default_blend{.a0 = 0, .a1 = 2, .a2 = 2, .a3 = 1};
-constexpr BlendParameters default_smoothing{.a0 = 0.8, .a1 = 0.7, .a2 = 0.7, .a3 = 1};  // a0 in inradii
+constexpr BlendParameters default_smoothing{.a0 = 1, .a1 = 0.7, .a2 = 0.7, .a3 = 1};  // a0 in inradii
 
 /// Points of the shapes' space with the area or volume each stands for.
 struct Samples {

@@ -33,7 +33,7 @@ struct BlendMorphOptions {
   std::optional<TimeSpan> gap = {};           ///< between the half-cylinders; unset: a 41st of the slab, in its middle
   std::optional<double> length_mm = {};       ///< from one key shape to the next; unset: the slab is 2.05 longest sides
   std::optional<BlendParameters> blend = {};  ///< unset: a1 = a2 = 2, a3 = 1, and a0 as `least_content` tells
-  std::optional<BlendParameters> smoothing = {};  ///< unset: a0 is 0.8 of the shape's inradius, a1 = a2 = 0.7, a3 = 1
+  std::optional<BlendParameters> smoothing = {};  ///< unset: a0 is the shape's inradius, a1 = a2 = 0.7, a3 = 1
   std::optional<double> smoothing_reach_mm = {};  ///< unset: up to the slab's end
   /// Without `blend` a0 is the least for which no frame has less than this share of the smaller shape's area or volume.
   double least_content = 0.6;
