@@ -9,7 +9,7 @@ namespace isostack {
 
 /// Into how many pieces the frames of a morph fall.
 struct FrameComponents {
-  std::vector<std::size_t> counts;  ///< of each frame, in order; of bodies connected surfaces
+  std::vector<std::size_t> counts;  ///< of each frame, in order; of bodies connected surfaces, cavities' too
   std::size_t most_given = 0;       ///< of the key shape that has the most
   std::vector<std::size_t> stray;   ///< frames with more pieces than any key shape has (Pasko et al. 2004, §4.2)
 };
