@@ -123,7 +123,8 @@ void add_surface(const TriangleMesh& mesh, std::size_t organ_index, double opaci
   } else {
     vtkNew<vtkPolyDataNormals> normals;
     normals->SetInputData(polydata);
-    normals->SplittingOff();
+    normals->SplittingOn();
+    normals->SetFeatureAngle(60);  // a cube's edges stay sharp, a scan's noise does not show
     normals->ConsistencyOff();
     mapper->SetInputConnection(normals->GetOutputPort());
   }
