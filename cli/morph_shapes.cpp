@@ -13,6 +13,9 @@
 #include "io/file_listing.h"
 #include "io/formats.h"
 #include "io/read_mesh.h"
+#include "io/solid_file.h"
+#include "recon/distance/distance_surface.h"
+#include "recon/distance/solid.h"
 #include "recon/geometry/errors.h"
 #include "recon/reconstruct.h"
 
@@ -67,11 +70,22 @@ Shape shape_of(const ContourStack& organ, const std::string& where, Session& ses
   return organ.slices.front();
 }
 
+/// Its surface on voxels of a hundredth of its longest side.
+TriangleMesh surface_of(const CsgSolid& solid, Session& session) {
+  const double voxel_mm = box_of(solid).sizes().maxCoeff() / 100;
+  const Grid grid = distance_grid(solid, voxel_mm, 3 * voxel_mm);
+  return distance_surface(solid_distance(solid, grid, {}, session.progress()).distance_mm, {}, session.progress());
+}
+
 KeyShape read_key_shape(InputOptions options, Session& session) {
   const std::filesystem::path path = options.paths.front();
   require_exists(path);
   KeyShape shape{.name = path.filename().string(), .shape = {}};
   session.progress().report("read", 0);
+  if (holds_solid(path)) {
+    shape.shape = surface_of(read_solid(path), session);
+    return shape;
+  }
   if (is_mesh(path)) {
     shape.shape = read_mesh(path);
     return shape;

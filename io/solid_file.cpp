@@ -132,4 +132,12 @@ CsgSolid read_solid(const std::filesystem::path& path) {
   return solid;
 }
 
+bool holds_solid(const std::filesystem::path& path) {
+  if (path.extension() != ".json") return false;
+  std::string start(1000, '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start.find("\"isostack-solid\"") != std::string::npos;
+}
+
 }  // namespace isostack

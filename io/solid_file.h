@@ -16,4 +16,7 @@ namespace isostack {
 /// Throws InputError naming the file and the place in it for what is missing, unknown, out of range or empty.
 CsgSolid read_solid(const std::filesystem::path& path);
 
+/// True for a readable .json file that names the format within its first thousand bytes.
+bool holds_solid(const std::filesystem::path& path);
+
 }  // namespace isostack

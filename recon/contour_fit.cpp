@@ -109,11 +109,11 @@ std::vector<Disagreement> ContourFit::disagreements(const ImplicitFunction& func
   PlaneCheck check = check_planes([&](const Eigen::MatrixXd& points) { return function.values(points); }, contours_);
   report_.plane_points = check.points;
   report_.plane_points_wrong = check.wrong;
-  report_.between_points_wrong = check.wrong_between;
   std::erase_if(check.worst, [&](const Disagreement& d) {
     return is_explained_by(soft_places_, d.point_mm, d.distance_mm, options_.softening);
   });
   const std::vector<Disagreement> lost = lost_between(function);
+  report_.between_points_wrong = check.wrong_between + lost.size();
   check.worst.insert(check.worst.end(), lost.begin(), lost.end());
   return std::move(check.worst);
 }

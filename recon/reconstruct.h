@@ -72,7 +72,7 @@ struct ReconstructReport {
   std::size_t contour_points_without_surface = 0;
   std::size_t plane_points = 0;          ///< lattice points compared with the segmentation, all planes together
   std::size_t plane_points_wrong = 0;    ///< of those, more than a pixel on the wrong side of the result
-  std::size_t between_points_wrong = 0;  ///< half-way between slices, with a sign that neither slice has near there
+  std::size_t between_points_wrong = 0;  ///< between slices: against both, or where both show a thin part
   std::size_t plane_constraints = 0;     ///< constraints added for them
   std::size_t section_constraints = 0;   ///< contour points and others added because sections strayed
   ContourResidual contour_residual;      ///< of all contour points, whether constraints or not

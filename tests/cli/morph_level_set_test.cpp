@@ -1,6 +1,9 @@
 // `isostack morph --method level-set`: what it tells, and what it refuses.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
+
 #include "tests/cli/program.h"
 
 namespace isostack {
@@ -54,6 +57,37 @@ TEST_F(MorphLevelSet, SaysWhichPartsStayMissing) {
   const ProgramRun seeded = morph("--missing-parts seed " + path("one.json") + " " + path("two.json"));
   EXPECT_EQ(seeded.json()["frames"][2]["components"], 2);
   EXPECT_EQ(morph(path("one.json") + " " + path("other.json")).exit_code, 3);
+}
+
+/// Mesh, constructive solid, slices of contours (what a scan becomes), mesh: one animation.
+TEST_F(MorphLevelSet, BodiesOfEveryOriginTakePartInOneSequence) {
+  std::ofstream(path("solid.json")) << R"({"format": "isostack-solid", "version": 1, "solid": {"difference": [
+    {"superellipsoid": {"radii_mm": [25, 25, 15], "exponents": [0.5, 0.5]}},
+    {"superellipsoid": {"radii_mm": [9, 9, 40]}}]}})";
+  std::ofstream slices(path("slices.json"));
+  slices << R"({"format": "isostack-contours", "version": 1, "organs": [{"name": "ball", "slices": [)";
+  for (int k = -4; k <= 4; ++k) {  // a ball of 20 mm
+    slices << (k > -4 ? "," : "") << R"({"name": "slice )" << k + 4 << R"(", "pose": {"origin_mm": [0,0,)" << 4 * k
+           << R"(], "x_axis": [1,0,0], "y_axis": [0,1,0], "spacing_mm": [1,1]}, "size_pixels": [0,0],
+              "contours": [{"points_mm": [)";
+    for (int i = 0; i < 60; ++i)
+      slices << (i > 0 ? "," : "") << "[" << std::sqrt(400.0 - 16 * k * k) * std::cos(i * M_PI / 30) << ","
+             << std::sqrt(400.0 - 16 * k * k) * std::sin(i * M_PI / 30) << "]";
+    slices << "]}]}";
+  }
+  slices << "]}]}";
+  slices.close();
+  const ProgramRun run =
+      isostack("morph --method level-set --frames 4 --resolution 2 --json -o " + path("bodies") + " " +
+               shape("torus.ply") + path("solid.json") + " " + path("slices.json") + " " + shape("torus.ply"));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json frames = run.json()["frames"];
+  const std::vector<int> genus = {1, 1, 0, 1};
+  for (std::size_t i = 0; i < genus.size(); ++i) {
+    EXPECT_EQ(frames[i]["genus"], genus[i]) << i;
+    EXPECT_EQ(frames[i]["components"], 1) << i;
+  }
+  EXPECT_NEAR(frames[2]["volume_mm3"], 33510, 670);  // 4/3 π 20³ within 2 %: voxels of 2 mm
 }
 
 TEST_F(MorphLevelSet, RefusesWhatIsNotItsOwn) {
