@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "cli/outputs.h"
-#include "io/contour_files.h"
+#include "io/contours/contour_files.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack::cli {

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "cli/label_inputs.h"
-#include "io/contour_files.h"
-#include "io/dicom_header.h"
+#include "io/contours/contour_files.h"
+#include "io/dicom/dicom_header.h"
 #include "io/file_listing.h"
 #include "io/formats.h"
-#include "io/volume_files.h"
+#include "io/volumes/volume_files.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack::cli {

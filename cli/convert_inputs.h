@@ -4,7 +4,7 @@
 
 #include "cli/input_options.h"
 #include "cli/session.h"
-#include "io/stored_volume.h"
+#include "io/volumes/stored_volume.h"
 
 namespace isostack::cli {
 

@@ -9,9 +9,9 @@
 
 #include "cli/label_inputs.h"
 #include "cli/segment_images.h"
-#include "io/contour_files.h"
+#include "io/contours/contour_files.h"
 #include "io/formats.h"
-#include "io/volume_files.h"
+#include "io/volumes/volume_files.h"
 #include "recon/geometry/errors.h"
 #include "segmentation/small_contours.h"
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "io/dicom_seg.h"
-#include "io/volume_files.h"
+#include "io/dicom/dicom_seg.h"
+#include "io/volumes/volume_files.h"
 #include "recon/geometry/errors.h"
 #include "segmentation/segment.h"
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/formats.h"
-#include "io/volume_files.h"
+#include "io/volumes/volume_files.h"
 
 namespace isostack::cli {
 

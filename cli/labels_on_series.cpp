@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "cli/label_inputs.h"
-#include "io/series_planes.h"
-#include "io/volume_files.h"
+#include "io/dicom/series_planes.h"
+#include "io/volumes/volume_files.h"
 #include "segmentation/label_sections.h"
 
 namespace isostack::cli {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "io/contour_files.h"
-#include "io/dicom_header.h"
-#include "io/dicom_seg.h"
+#include "io/contours/contour_files.h"
+#include "io/dicom/dicom_header.h"
+#include "io/dicom/dicom_seg.h"
 #include "io/file_listing.h"
 
 namespace isostack::cli {

@@ -7,10 +7,10 @@
 #include "cli/outputs.h"
 #include "cli/spacetime.h"
 #include "io/atomic_folder.h"
-#include "io/contour_files.h"
+#include "io/contours/contour_files.h"
 #include "io/formats.h"
-#include "io/write_mesh.h"
-#include "io/write_pictures.h"
+#include "io/images/write_pictures.h"
+#include "io/meshes/write_mesh.h"
 #include "recon/geometry/errors.h"
 #include "viewers/contact_sheet.h"
 

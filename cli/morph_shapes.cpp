@@ -8,11 +8,11 @@
 #include <optional>
 
 #include "cli/label_inputs.h"
-#include "io/contour_files.h"
-#include "io/dicom_header.h"
+#include "io/contours/contour_files.h"
+#include "io/dicom/dicom_header.h"
 #include "io/file_listing.h"
 #include "io/formats.h"
-#include "io/read_mesh.h"
+#include "io/meshes/read_mesh.h"
 #include "io/solid_file.h"
 #include "recon/distance/distance_surface.h"
 #include "recon/distance/solid.h"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "cli/input_options.h"
-#include "io/volume_files.h"
+#include "io/volumes/volume_files.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack::cli {

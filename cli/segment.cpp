@@ -12,8 +12,8 @@
 #include "cli/like_options.h"
 #include "cli/outputs.h"
 #include "cli/recipe.h"
-#include "io/contour_files.h"
-#include "io/volume_files.h"
+#include "io/contours/contour_files.h"
+#include "io/volumes/volume_files.h"
 #include "recon/geometry/errors.h"
 #include "segmentation/rasterize.h"
 

@@ -2,9 +2,9 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "io/contour_files.h"
+#include "io/contours/contour_files.h"
 #include "io/formats.h"
-#include "io/read_mesh.h"
+#include "io/meshes/read_mesh.h"
 #include "io/read_slices.h"
 #include "viewers/screenshot.h"
 

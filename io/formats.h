@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "io/contour_file.h"
+#include "io/contours/contour_file.h"
 #include "io/read_slices.h"
-#include "io/stored_volume.h"
-#include "io/volume_header.h"
+#include "io/volumes/stored_volume.h"
+#include "io/volumes/volume_header.h"
 #include "io/write_options.h"
 #include "recon/geometry/contour.h"
 #include "recon/geometry/label_map.h"

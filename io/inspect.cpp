@@ -3,11 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "io/contour_files.h"
-#include "io/dicom_header.h"
+#include "io/contours/contour_files.h"
+#include "io/dicom/dicom_header.h"
 #include "io/file_listing.h"
 #include "io/formats.h"
-#include "io/image_stack.h"
+#include "io/images/image_stack.h"
 #include "io/inspect_parts.h"
 #include "io/stack_geometry.h"
 #include "recon/geometry/errors.h"

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "io/dicom_series.h"
+#include "io/dicom/dicom_series.h"
 #include "io/inspect_parts.h"
 #include "recon/geometry/errors.h"
 

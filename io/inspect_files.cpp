@@ -1,10 +1,10 @@
 #include <Eigen/Geometry>
 
-#include "io/contour_files.h"
+#include "io/contours/contour_files.h"
 #include "io/formats.h"
-#include "io/image_stack.h"
+#include "io/images/image_stack.h"
 #include "io/inspect_parts.h"
-#include "io/read_mesh.h"
+#include "io/meshes/read_mesh.h"
 #include "io/slice_order.h"
 
 namespace isostack {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "io/dicom/rtstruct.h"
 #include "io/inspect_parts.h"
-#include "io/rtstruct.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack {

@@ -4,9 +4,9 @@
 #include <map>
 #include <set>
 
-#include "io/dicom_seg_frames.h"
-#include "io/dicom_seg_grid.h"
-#include "io/dicom_seg_header.h"
+#include "io/dicom/dicom_seg_frames.h"
+#include "io/dicom/dicom_seg_grid.h"
+#include "io/dicom/dicom_seg_header.h"
 #include "io/inspect_parts.h"
 #include "recon/geometry/errors.h"
 

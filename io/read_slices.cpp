@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "io/dicom_series.h"
+#include "io/dicom/dicom_series.h"
 #include "io/file_listing.h"
 #include "io/formats.h"
-#include "io/image_stack.h"
+#include "io/images/image_stack.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack {

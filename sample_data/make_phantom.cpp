@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "io/atomic_file.h"
-#include "io/write_dicom.h"
-#include "io/write_mesh.h"
+#include "io/dicom/write_dicom.h"
+#include "io/meshes/write_mesh.h"
 #include "recon/metrics/mesh_measures.h"
 #include "sample_data/phantom.h"
 #include "sample_data/phantom_surface.h"

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "io/atomic_file.h"
-#include "io/write_mesh.h"
-#include "io/write_pictures.h"
+#include "io/images/write_pictures.h"
+#include "io/meshes/write_mesh.h"
 #include "recon/surface/extract_surface.h"
 #include "sample_data/shapes.h"
 

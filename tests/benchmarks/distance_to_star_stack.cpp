@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "io/read_mesh.h"
+#include "io/meshes/read_mesh.h"
 #include "recon/geometry/errors.h"
 #include "recon/metrics/mesh_measures.h"
 #include "recon/metrics/surface_distance.h"

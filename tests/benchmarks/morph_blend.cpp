@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "io/contour_files.h"
-#include "io/write_mesh.h"
+#include "io/contours/contour_files.h"
+#include "io/meshes/write_mesh.h"
 #include "recon/geometry/stopwatch.h"
 #include "recon/metrics/frame_quality.h"
 #include "recon/metrics/mesh_measures.h"

@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "io/read_mesh.h"
-#include "io/write_mesh.h"
+#include "io/meshes/read_mesh.h"
+#include "io/meshes/write_mesh.h"
 #include "recon/geometry/errors.h"
 #include "recon/geometry/peak_memory.h"
 #include "recon/geometry/stopwatch.h"

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <random>
 
-#include "io/contour_files.h"
-#include "io/read_mesh.h"
-#include "io/write_mesh.h"
+#include "io/contours/contour_files.h"
+#include "io/meshes/read_mesh.h"
+#include "io/meshes/write_mesh.h"
 #include "recon/geometry/errors.h"
 #include "recon/metrics/mesh_measures.h"
 #include "recon/metrics/surface_distance.h"

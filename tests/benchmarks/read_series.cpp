@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "io/dicom/write_dicom.h"
 #include "io/read_slices.h"
-#include "io/write_dicom.h"
 #include "recon/geometry/errors.h"
 #include "recon/geometry/peak_memory.h"
 #include "recon/geometry/stopwatch.h"

@@ -1,6 +1,6 @@
 #include <filesystem>
 
-#include "io/contour_files.h"
+#include "io/contours/contour_files.h"
 #include "program.h"
 #include "tests/io/seg_support.h"
 

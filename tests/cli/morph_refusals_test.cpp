@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "io/write_pictures.h"
+#include "io/images/write_pictures.h"
 #include "tests/cli/program.h"
 
 namespace isostack {

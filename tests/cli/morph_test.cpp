@@ -6,9 +6,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/contour_files.h"
-#include "io/image_stack.h"
-#include "io/write_pictures.h"
+#include "io/contours/contour_files.h"
+#include "io/images/image_stack.h"
+#include "io/images/write_pictures.h"
 #include "recon/geometry/contour.h"
 #include "tests/cli/program.h"
 #include "tests/support/gif_blocks.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "io/dicom_pixels.h"
-#include "io/dicom_series.h"
+#include "io/dicom/dicom_pixels.h"
+#include "io/dicom/dicom_series.h"
 #include "tests/fuzz/fuzz_file.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "io/contours_edges.h"
+#include "io/contours/contours_edges.h"
 #include "tests/fuzz/fuzz_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

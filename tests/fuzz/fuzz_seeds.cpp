@@ -3,18 +3,18 @@
 #include <cstdio>
 #include <numbers>
 
-#include "io/contours_csl.h"
-#include "io/contours_edges.h"
-#include "io/contours_json.h"
-#include "io/dicom_seg.h"
-#include "io/mesh_ply.h"
-#include "io/metaimage.h"
-#include "io/nifti.h"
-#include "io/nrrd.h"
-#include "io/rtstruct.h"
-#include "label_support.h"
-#include "rtstruct_support.h"
-#include "seg_support.h"
+#include "io/contours/contours_csl.h"
+#include "io/contours/contours_edges.h"
+#include "io/contours/contours_json.h"
+#include "io/dicom/dicom_seg.h"
+#include "io/dicom/rtstruct.h"
+#include "io/meshes/mesh_ply.h"
+#include "io/volumes/metaimage.h"
+#include "io/volumes/nifti.h"
+#include "io/volumes/nrrd.h"
+#include "tests/io/label_support.h"
+#include "tests/io/rtstruct_support.h"
+#include "tests/io/seg_support.h"
 
 namespace isostack::testing {
 namespace {

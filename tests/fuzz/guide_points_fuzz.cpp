@@ -1,4 +1,4 @@
-#include "io/guide_points.h"
+#include "io/contours/guide_points.h"
 #include "tests/fuzz/fuzz_file.h"
 
 /// The input is the table of points, and behind a line "====" the poses of the slices.

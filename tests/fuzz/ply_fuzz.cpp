@@ -1,4 +1,4 @@
-#include "io/mesh_ply.h"
+#include "io/meshes/mesh_ply.h"
 #include "tests/fuzz/fuzz_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

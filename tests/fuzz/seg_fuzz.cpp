@@ -1,5 +1,5 @@
-#include "io/dicom_header.h"
-#include "io/dicom_seg.h"
+#include "io/dicom/dicom_header.h"
+#include "io/dicom/dicom_seg.h"
 #include "tests/fuzz/fuzz_file.h"
 
 namespace {

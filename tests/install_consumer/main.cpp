@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "io/write_mesh.h"
+#include "io/meshes/write_mesh.h"
 #include "recon/metrics/mesh_measures.h"
 #include "recon/reconstruct.h"
 #include "segmentation/segment.h"

@@ -1,6 +1,6 @@
 #include "io/atomic_file.h"
 
-#include "io_support.h"
+#include "tests/io/io_support.h"
 
 namespace isostack::testing {
 namespace {

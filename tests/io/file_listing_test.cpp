@@ -1,6 +1,6 @@
 #include "io/file_listing.h"
 
-#include "io_support.h"
+#include "tests/io/io_support.h"
 
 namespace isostack::testing {
 namespace {

@@ -1,9 +1,9 @@
 #include "io/formats.h"
 
-#include "io/read_mesh.h"
-#include "io/volume_files.h"
-#include "io/write_mesh.h"
-#include "io_support.h"
+#include "io/meshes/read_mesh.h"
+#include "io/meshes/write_mesh.h"
+#include "io/volumes/volume_files.h"
+#include "tests/io/io_support.h"
 
 namespace isostack::testing {
 namespace {

@@ -1,10 +1,10 @@
 #include "io/inspect.h"
 
-#include "io/contour_files.h"
-#include "io/write_dicom.h"
-#include "io/write_mesh.h"
-#include "seg_support.h"
-#include "volume_support.h"
+#include "io/contours/contour_files.h"
+#include "io/dicom/write_dicom.h"
+#include "io/meshes/write_mesh.h"
+#include "tests/io/seg_support.h"
+#include "tests/io/volume_support.h"
 
 namespace isostack::testing {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "recon/geometry/label_map.h"
-#include "volume_support.h"
+#include "tests/io/volume_support.h"
 
 namespace isostack::testing {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dicom_bytes.h"
+#include "tests/io/dicom_bytes.h"
 
 namespace isostack::testing {
 

@@ -1,7 +1,7 @@
 #include "io/stack_geometry.h"
 
 #include "io/slice_order.h"
-#include "io_support.h"
+#include "tests/io/io_support.h"
 
 namespace isostack::testing {
 namespace {

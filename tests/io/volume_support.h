@@ -1,9 +1,9 @@
 #pragma once
 
 #include "io/read_slices.h"
-#include "io/volume_files.h"
-#include "io_support.h"
+#include "io/volumes/volume_files.h"
 #include "recon/geometry/volume.h"
+#include "tests/io/io_support.h"
 
 namespace isostack::testing {
 

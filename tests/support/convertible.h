@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/stored_volume.h"
+#include "io/volumes/stored_volume.h"
 #include "recon/geometry/contour.h"
 #include "recon/geometry/label_map.h"
 #include "recon/geometry/triangle_mesh.h"
