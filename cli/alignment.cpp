@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cli/outputs.h"
+#include "cli/path_roles.h"
 #include "io/contours/contour_files.h"
 #include "recon/geometry/errors.h"
 
@@ -60,6 +61,7 @@ void add_alignment_options(CLI::App& command, AlignmentCommand& alignment) {
       ->capture_default_str()
       ->needs(align);
   command.add_option("--aligned", alignment.aligned, "Write the moved contours (.vtp, .json)")
+      ->check(written_path())
       ->type_name("FILE")
       ->needs(align);
 }
@@ -76,8 +78,7 @@ std::vector<ContourStack> aligned(std::vector<ContourStack> organs, const Alignm
   }
   if (command.aligned.empty()) return organs;
   write_contours(organs, command.aligned);
-  session.result["outputs"].push_back(command.aligned.string());
-  session.text += "wrote " + command.aligned.string() + "\n";
+  session.wrote(command.aligned);
   return organs;
 }
 

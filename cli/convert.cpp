@@ -5,12 +5,14 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/convert_bodies.h"
 #include "cli/convert_inputs.h"
 #include "cli/input_options.h"
 #include "cli/label_inputs.h"
 #include "cli/label_outputs.h"
 #include "cli/like_options.h"
 #include "cli/outputs.h"
+#include "cli/path_roles.h"
 #include "cli/retriangulation.h"
 #include "io/contours/contour_files.h"
 #include "io/dicom/series_planes.h"
@@ -29,6 +31,7 @@ struct ConvertCommand {
   InputOptions input;
   std::filesystem::path output;
   LikeOptions like;
+  BodyConversion bodies;
   RetriangulationOptions retriangulation;  ///< of meshes
   std::string axes = "lps", input_axes = "lps";
 
@@ -95,7 +98,8 @@ void convert_mesh(const ConvertCommand& command, Session& session) {
   if (!find_format(command.output, &Format::write_mesh))
     throw_other_kind(
         command, "a mesh",
-        "use .stl, .ply, .obj, .vtp, .gltf or .glb, or give --like SERIES to cut it on that series' planes");
+        "use .stl, .ply, .obj, .vtp, .gltf or .glb, or give --like SERIES to cut it on that series' planes, "
+        "or --voxel MM for a volume of its distances");
   if (command.retriangulation.any()) {
     RetriangulationReport report;
     mesh = retriangulate(mesh, command.retriangulation, report, nullptr, session.progress());
@@ -124,12 +128,12 @@ void convert_volume(const ConvertCommand& command, Session& session) {
   write_volume(volume, command.output, write_options(command));
 }
 
-void run_convert(const ConvertCommand& command, Session& session) {
-  if (command.input.paths.size() != 1)
-    throw InputError("convert", "it takes one input", "convert the files one by one");
-  const std::filesystem::path folder = command.output.has_parent_path() ? command.output.parent_path() : ".";
-  if (!std::filesystem::is_directory(folder))
-    throw InputError(command.output.string(), "its folder does not exist", "create " + folder.string());
+/// The name of what the input was, or became.
+const char* convert_by_kind(const ConvertCommand& command, Session& session) {
+  if (converts_body(command.path(), command.output, command.bodies)) {
+    convert_body(command.path(), command.output, command.bodies, write_options(command), session);
+    return find_format(command.output, &Format::write_volume) ? "distances" : "mesh";
+  }
   const InputKind kind = kind_of(command.path(), command.output);
   switch (kind) {
     case InputKind::kContours:
@@ -145,9 +149,18 @@ void run_convert(const ConvertCommand& command, Session& session) {
       convert_volume(command, session);
       break;
   }
-  session.result["kind"] = name_of(kind);
+  return name_of(kind);
+}
+
+void run_convert(const ConvertCommand& command, Session& session) {
+  if (command.input.paths.size() != 1)
+    throw InputError("convert", "it takes one input", "convert the files one by one");
+  const std::filesystem::path folder = command.output.has_parent_path() ? command.output.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder))
+    throw InputError(command.output.string(), "its folder does not exist", "create " + folder.string());
+  session.result["kind"] = convert_by_kind(command, session);
   session.result["output"] = command.output.string();
-  session.text += "wrote " + command.output.string() + "\n";
+  session.wrote(command.output);
 }
 
 void add_axes(CLI::App& command, ConvertCommand& options) {
@@ -165,11 +178,13 @@ void add_convert(CLI::App& app, Session& session) {
   add_reading_options(*command, options->input);
   command
       ->add_option("-o,--output", options->output,
-                   "Mesh, contours, labels or volume, as the input is; by extension, see docs/formats.md")
+                   "Mesh, contours, labels or volume, as the input is, or distances; by extension, see docs/formats.md")
+      ->check(written_path())
       ->required()
       ->type_name("OUT");
   add_like_options(*command, options->like);
   add_axes(*command, *options);
+  add_body_options(*command, options->bodies);
   add_retriangulation_options(*command, options->retriangulation);
   command->callback([options, &session] { session.run = [options, &session] { run_convert(*options, session); }; });
 }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/path_roles.h"
 #include "io/inspect.h"
 
 namespace isostack::cli {
@@ -128,7 +129,7 @@ void run_info(const std::vector<std::filesystem::path>& paths, Session& session)
 void add_info(CLI::App& app, Session& session) {
   auto paths = std::make_shared<std::vector<std::filesystem::path>>();
   CLI::App* command = app.add_subcommand("info", "What is there: series, geometry, spacing, problems");
-  command->add_option("PATH", *paths, "Folders and files")->required();
+  command->add_option("PATH", *paths, "Folders and files")->check(read_path())->required();
   command->callback([paths, &session] { session.run = [paths, &session] { run_info(*paths, session); }; });
 }
 

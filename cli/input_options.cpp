@@ -8,6 +8,7 @@
 #include <charconv>
 
 #include "cli/label_inputs.h"
+#include "cli/path_roles.h"
 #include "cli/segment_images.h"
 #include "io/contours/contour_files.h"
 #include "io/formats.h"
@@ -28,6 +29,7 @@ ReadOptions InputOptions::read_options() const {
 
 void add_reading_options(CLI::App& command, InputOptions& options) {
   command.add_option("IN", options.paths, "DICOM folder or file, NIfTI, NRRD, MetaImage, image folder, or contours")
+      ->check(read_path())
       ->required();
   add_source_options(command, options);
   command.add_option("--spacing", options.spacing_mm, "Column, row and slice distance in mm of a PNG or TIFF stack")
@@ -47,8 +49,10 @@ void add_source_options(CLI::App& command, InputOptions& options) {
       ->allow_extra_args(false);
   command.add_flag("--union", options.unite_contours,
                    "RTSTRUCT: overlapping contours of one slice add up; otherwise an even number of them is a hole");
-  command.add_option("--images", options.images,
-                     "RTSTRUCT: the images it was drawn on; otherwise looked for in its folder");
+  command
+      .add_option("--images", options.images,
+                  "RTSTRUCT: the images it was drawn on; otherwise looked for in its folder")
+      ->check(read_path());
 }
 
 void add_slice_choice(CLI::App& command, InputOptions& options) {

@@ -88,8 +88,7 @@ void save_plot(const std::vector<OrganStudy>& studies, const std::filesystem::pa
   const LinePlot dice =
       plot_of(studies, "Overlap on dropped slices", "Dice", [](const SliceAgreement& a) { return a.dice; });
   save_line_plots({distance, dice}, path);
-  session.result["outputs"].push_back(path.string());
-  session.text += "wrote " + path.string() + "\n";
+  session.wrote(path);
 }
 
 /// An organ too small for what is kept is noted and left out; the others go on.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/path_roles.h"
 #include "io/contours/contour_files.h"
 #include "io/dicom/dicom_header.h"
 #include "io/dicom/dicom_seg.h"
@@ -22,8 +23,10 @@ bool is_dicom_images(const std::filesystem::path& path) {
 }  // namespace
 
 void add_like_options(CLI::App& command, LikeOptions& options) {
-  command.add_option("--like", options.series,
-                     "DICOM output: the image series that it refers to (default: the input, when that is one)");
+  command
+      .add_option("--like", options.series,
+                  "DICOM output: the image series that it refers to (default: the input, when that is one)")
+      ->check(read_path());
   command.add_option("--like-series", options.series_choice, "Which series of --like, as --series");
   command.add_flag("--identify", options.identify, "DICOM output: copy patient and study from that series");
 }

@@ -5,7 +5,11 @@
 #include <new>
 
 #include "cli/commands.h"
+#include "cli/completions.h"
 #include "cli/interrupt.h"
+#include "cli/manual_page.h"
+#include "cli/pipeline/pipeline.h"
+#include "cli/pipeline/record.h"
 #include "cli/progress_bar.h"
 #include "io/atomic_file.h"
 #include "recon/geometry/errors.h"
@@ -25,20 +29,31 @@ int fail(ExitCode code, const std::string& message) {
   return code;
 }
 
-void run(isostack::cli::Session& session) {
+/// Before any work: a run that cannot be recorded would have to be done again.
+void require_recordable(const CLI::App& command, const isostack::cli::Session& session) {
+  if (session.record.empty()) return;
+  if (command.get_name() == "run")
+    throw isostack::InputError("--record", "`run` is what a recorded pipeline is for",
+                               "record the commands themselves");
+  if (std::filesystem::exists(session.record)) isostack::cli::read_pipeline(session.record);
+}
+
+void run(const CLI::App& command, isostack::cli::Session& session) {
+  require_recordable(command, session);
   const auto threads = static_cast<std::size_t>(session.threads > 0 ? session.threads : isostack::available_threads());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   isostack::set_linear_algebra_threads(static_cast<int>(threads));
   session.run();
   isostack::cli::erase_progress();
+  if (!session.record.empty()) isostack::cli::record_step(command, session.written(), session.record);
   session.result["isostack"] = ISOSTACK_VERSION;
   if (!session.report.empty()) isostack::write_whole_file(session.report, session.result.dump(2) + "\n");
   fmt::print("{}", session.json ? session.result.dump(2) + "\n" : session.text);
 }
 
-int run_and_translate_errors(isostack::cli::Session& session) {
+int run_and_translate_errors(const CLI::App& command, isostack::cli::Session& session) {
   try {
-    run(session);
+    run(command, session);
     return kDone;
   } catch (const isostack::SolveError& error) {
     return fail(kCouldNotSolve, error.what());
@@ -66,18 +81,23 @@ int main(int argc, char** argv) {
   app.add_option("--report", session.report, "Write the result as JSON to this file")->type_name("FILE");
   app.add_option("--threads", session.threads, "Threads to use (0: all)")->check(CLI::NonNegativeNumber);
   app.add_flag("--quiet", session.quiet, "No progress bar, no notes");
-  isostack::cli::add_info(app, session);
-  isostack::cli::add_segment(app, session);
-  isostack::cli::add_reconstruct(app, session);
-  isostack::cli::add_measure(app, session);
-  isostack::cli::add_view(app, session);
-  isostack::cli::add_convert(app, session);
-  isostack::cli::add_morph(app, session);
-  isostack::cli::add_run(app, session);
+  app.add_option("--record", session.record, "Add this command to a pipeline file, for `run`")->type_name("FILE");
+  isostack::cli::add_commands(app, session);
+  std::string page;
+  const auto print = [&](const std::string& kind) {
+    page = kind == "man"    ? isostack::cli::manual_page(app)
+           : kind == "bash" ? isostack::cli::bash_completions(app)
+                            : isostack::cli::zsh_completions(app);
+    throw CLI::Success();
+  };
+  app.add_option_function<std::string>("--generate", print, "Print the manual page, or completions for a shell")
+      ->check(CLI::IsMember({"man", "bash", "zsh"}))
+      ->trigger_on_parse();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    fmt::print("{}", page);
     return app.exit(error) == 0 ? kDone : kWrongUsage;
   }
-  return run_and_translate_errors(session);
+  return run_and_translate_errors(*app.get_subcommands().front(), session);
 }

@@ -6,11 +6,14 @@
 #include <memory>
 #include <optional>
 
+#include "cli/body_inputs.h"
 #include "cli/commands.h"
 #include "cli/input_options.h"
 #include "cli/json_report.h"
 #include "cli/label_inputs.h"
 #include "cli/leave_out.h"
+#include "cli/path_roles.h"
+#include "io/file_listing.h"
 #include "io/formats.h"
 #include "io/meshes/read_mesh.h"
 #include "io/volumes/volume_files.h"
@@ -26,13 +29,14 @@ namespace {
 
 struct MeasureCommand {
   InputOptions input;
+  BodyOptions bodies;
   std::filesystem::path against;
   SurfaceDistanceOptions distance;
   std::string kernel;
   LeaveOutCommand leave_out;
 };
 
-/// A surface, or a label volume (voxels of the chosen label, or all that are not 0) with its voxels' surface.
+/// A body (read_body), or a label volume (voxels of the chosen label, or all that are not 0) with its voxels' surface.
 struct Shape {
   TriangleMesh mesh;
   MeshMeasures measures;
@@ -51,14 +55,17 @@ LabelVolume read_voxels_of(const std::filesystem::path& path, const std::string&
   return voxels;
 }
 
-Shape read_shape(const std::filesystem::path& path, const std::string& label) {
+Shape read_shape(const std::filesystem::path& path, const MeasureCommand& command, Session& session) {
   Shape shape;
-  if (find_format(path, &Format::read_mesh) != nullptr) {
-    shape.mesh = read_mesh(path);
+  require_exists(path);
+  std::optional<TriangleMesh> body = read_body(path, command.bodies, session);
+  if (!body && find_format(path, &Format::read_mesh) != nullptr) body = read_mesh(path);  // throws: no mesh in it
+  if (body) {
+    shape.mesh = std::move(*body);
     shape.measures = measure(shape.mesh);
     return shape;
   }
-  shape.labels = read_voxels_of(path, label);
+  shape.labels = read_voxels_of(path, command.input.label);
   shape.mesh = voxel_surface(*shape.labels);
   if (shape.mesh.triangles.empty())
     throw InputError(path.string(), "no voxel has the label", "choose a label that is there");
@@ -144,11 +151,10 @@ void compare(const Shape& a, const Shape& b, const SurfaceDistanceOptions& optio
 
 void run_measure(const MeasureCommand& command, Session& session) {
   const std::filesystem::path& path = command.input.paths.front();
-  const std::string& label = command.input.label;
-  const Shape shape = read_shape(path, label);
+  const Shape shape = read_shape(path, command, session);
   describe(path, shape, "shape", session);
   if (command.against.empty()) return;
-  const Shape against = read_shape(command.against, label);
+  const Shape against = read_shape(command.against, command, session);
   describe(command.against, against, "against", session);
   compare(shape, against, command.distance, session);
 }
@@ -164,6 +170,7 @@ void add_leave_out_options(CLI::App& command, MeasureCommand& options) {
                         ->type_name("K[,K...]")
                         ->excludes("--against");
   command.add_option("--plot", options.leave_out.plot, "Distance and Dice over K as a picture")
+      ->check(written_path())
       ->needs(leave_out)
       ->type_name("FILE.svg");
   command.add_option("--kernel", options.kernel, "As in reconstruct")
@@ -190,8 +197,11 @@ void add_measure(CLI::App& app, Session& session) {
   CLI::App* command = app.add_subcommand("measure", "Volume, area, topology of a surface or label volume; comparison");
   add_reading_options(*command, options->input);
   command->get_option("IN")->description(
-      "Surface (.stl, .ply, .obj, .vtp) or label volume; with --leave-out as in segment");
-  command->add_option("--against", options->against, "Compare with this surface or label volume")->type_name("B");
+      "Surface (.stl, .ply, .obj, .vtp), solid (.json), label or distance volume; with --leave-out as in segment");
+  add_distance_option(*command, options->bodies);
+  command->add_option("--against", options->against, "Compare with this surface or label volume")
+      ->check(read_path())
+      ->type_name("B");
   command->add_option("--samples", options->distance.samples, "Points drawn from each surface to measure distances")
       ->check(CLI::Range(100, 100'000'000))
       ->capture_default_str()

@@ -17,6 +17,8 @@
 #include "cli/morph_places.h"
 #include "cli/morph_quality.h"
 #include "cli/morph_shapes.h"
+#include "cli/morph_subdivision.h"
+#include "cli/path_roles.h"
 #include "cli/recipe.h"
 #include "recon/geometry/errors.h"
 #include "recon/geometry/peak_memory.h"
@@ -30,6 +32,7 @@ namespace {
 
 struct MorphCommand {
   InputOptions input;
+  BodyOptions bodies;
   std::string method = "variational";
   std::string preset = "default";
   std::string kernel = "triharmonic";
@@ -40,6 +43,7 @@ struct MorphCommand {
   VariationalMorphOptions variational;
   LevelSetMorphChoice level_set;
   BlendMorphChoice blend;
+  SubdivisionMorphChoice subdivision;
   std::filesystem::path landmarks, plot;  ///< empty: none
   PlaceOptions places;
   MorphOutputs outputs;
@@ -75,9 +79,17 @@ LevelSetMorphOptions level_set_base(const MorphCommand& command) {
   return options;
 }
 
+Morph morph_by_subdivision(const std::vector<KeyShape>& shapes, const MorphCommand& command, Session& session) {
+  SubdivisionMorphOptions options =
+      subdivision_options(command.subdivision, shapes, command.input, command.bodies, session);
+  if (command.spacing_mm > 0) options.spacing_mm = command.spacing_mm;
+  return subdivision_morph(shapes, options, session.progress());
+}
+
 Morph make_morph(const std::vector<KeyShape>& shapes, const MorphCommand& command, Session& session) {
   if (command.method == "level-set")
     return morph_by_level_sets(shapes, command.level_set, level_set_base(command), session);
+  if (command.method == "subdivision") return morph_by_subdivision(shapes, command, session);
   const auto by_method = [&](const std::vector<KeyShape>& keys) {
     if (command.method == "blend")
       return blend_morph(keys, blend_options(command.blend, command.variational.resolution_mm), session.progress());
@@ -125,7 +137,7 @@ void describe(const std::vector<KeyShape>& shapes, const Morph& morph, double fr
 void run_morph(const MorphCommand& command, Session& session) {
   require_writable(command.outputs);
   require_plot_name(command.plot);
-  std::vector<KeyShape> shapes = read_key_shapes(command.input, session);
+  std::vector<KeyShape> shapes = read_key_shapes(command.input, command.bodies, session);
   place_key_shapes(command.places, shapes);
   require_fitting(command.outputs, dimension_of(shapes.front().shape));
   std::vector<MorphFrame> frames =
@@ -137,6 +149,7 @@ void run_morph(const MorphCommand& command, Session& session) {
   const MorphProducts products = products_for(frames, morph, command.outputs, session.progress());
   report_quality(frames, command.plot, session);
   if (command.method == "blend") report_stray(frames, shapes, session);
+  if (command.method == "subdivision") report_levels(morph.report(), session);
   write_outputs(frames, products, command.outputs, session);
 }
 
@@ -144,13 +157,13 @@ void add_method_options(CLI::App& command, MorphCommand& options) {
   VariationalMorphOptions& v = options.variational;
   command
       .add_option("--method", options.method,
-                  "variational (default), level-set, blend, or signed-distance, the baseline")
-      ->check(CLI::IsMember({"variational", "level-set", "blend", "signed-distance"}));
+                  "variational (default), level-set, blend, subdivision, or signed-distance, the baseline")
+      ->check(CLI::IsMember({"variational", "level-set", "blend", "subdivision", "signed-distance"}));
   command
-      .add_option(
-          "--spacing", options.spacing_mm,
-          "Variational: distance of neighbouring shapes in the extra dimension, mm: small is local, large global "
-          "(default: half the shapes' size, of bodies a quarter)")
+      .add_option("--spacing", options.spacing_mm,
+                  "Variational, subdivision: distance of neighbouring shapes in the extra dimension, mm: small is "
+                  "local, large global "
+                  "(default: half the shapes' size, of bodies a quarter)")
       ->check(CLI::PositiveNumber)
       ->type_name("MM");
   command.add_option("--preset", options.preset, "How constraints are made: default, or the 1999 paper's own recipe")
@@ -167,6 +180,7 @@ void add_method_options(CLI::App& command, MorphCommand& options) {
   command.add_option("--between", options.between, "Signed-distance: linear (default), or cubic through all shapes")
       ->check(CLI::IsMember({"linear", "cubic"}));
   command.add_option("--landmarks", options.landmarks, "Points of two shapes that belong together (JSON)")
+      ->check(read_path())
       ->type_name("FILE");
   command
       .add_option("--resolution", v.resolution_mm,
@@ -184,6 +198,7 @@ void add_output_options(CLI::App& command, MorphCommand& options) {
           "-o,--output", options.outputs.paths,
           "Folder of frames, .gif, .png (contact sheet), .json or .vtp (contours), or a mesh (.stl, .ply, .obj, "
           ".gltf: the space-time surface of figures, one file per body); may be repeated")
+      ->check(written_path())
       ->required()
       ->allow_extra_args(false)
       ->type_name("OUT");
@@ -206,6 +221,7 @@ void add_output_options(CLI::App& command, MorphCommand& options) {
       ->expected(3)
       ->type_name("X,Y,Z");
   command.add_option("--plot", options.plot, "Parts, holes, size and curvature over t as a picture")
+      ->check(written_path())
       ->type_name("FILE.svg");
   command.add_option("--recipe", options.recipe, "Options from a file, or turk-obrien: the paper's own")
       ->type_name("turk-obrien|FILE");
@@ -217,12 +233,21 @@ void require_options_that_agree(const MorphCommand& command) {
   if (command.input.paths.size() < 2) throw CLI::ValidationError("morph", "takes two shapes or more");
   if (command.method != "signed-distance" && command.between == "cubic")
     throw CLI::ValidationError("--between", "belongs to --method signed-distance");
-  if (command.method != "variational" && (command.preset != "default" || command.spacing_mm > 0))
-    throw CLI::ValidationError("--method " + command.method, "has neither a spacing nor presets");
+  if (command.method != "variational" && command.preset != "default")
+    throw CLI::ValidationError("--method " + command.method, "has no presets");
+  if (command.method != "variational" && command.method != "subdivision" && command.spacing_mm > 0)
+    throw CLI::ValidationError("--method " + command.method, "has no spacing");
   if (command.method == "level-set" && command.places.layout() != KeyLayout::line)
     throw CLI::ValidationError("--path", "mixes shapes, which a level-set morph does not");
   if (command.method == "blend" && command.places.layout() != KeyLayout::line)
     throw CLI::ValidationError("--path", "mixes shapes, which a blend does not");
+  if (command.method == "subdivision" && command.places.layout() != KeyLayout::line)
+    throw CLI::ValidationError("--path", "mixes shapes, which subdivision does not");
+  if (command.method == "subdivision" && !command.landmarks.empty())
+    throw CLI::ValidationError("--landmarks", "give --features instead, which need no warp");
+  if (command.method != "subdivision" && !command.subdivision.is_default())
+    throw CLI::ValidationError("--features, --key-shape, --sharp-angle, --levels, --gamma, --details, --sweep",
+                               "belong to --method subdivision");
   if (command.method != "blend" && !command.blend.is_default())
     throw CLI::ValidationError("--ends, --slab, --gap, --blend, --length, --pull", "belong to --method blend");
   if (command.method != "level-set" && !command.level_set.is_default())
@@ -248,14 +273,19 @@ void add_morph(CLI::App& app, Session& session) {
   auto options = std::make_shared<MorphCommand>();
   CLI::App* command = app.add_subcommand("morph", "Shapes between given shapes: figures or bodies");
   command
-      ->add_option("IN", options->input.paths, "Two or more shapes: contours, meshes, pictures, grey or label volumes")
+      ->add_option("IN", options->input.paths,
+                   "Two or more shapes: contours, meshes, solids, pictures, grey, label or distance volumes")
+      ->check(read_path())
       ->required();
   add_method_options(*command, *options);
   add_level_set_options(*command, options->level_set);
   add_blend_options(*command, options->blend);
+  add_subdivision_options(*command, options->subdivision);
   add_place_options(*command, options->places);
   add_output_options(*command, *options);
   add_source_options(*command, options->input);
+  add_distance_option(*command, options->bodies);
+  add_mend_option(*command, options->bodies);
   command
       ->add_option("--pixel", options->input.spacing_mm, "Column, row and slice distance of PNG and TIFF in mm (1,1,1)")
       ->delimiter(',')

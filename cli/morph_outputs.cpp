@@ -152,8 +152,7 @@ void write_outputs(const std::vector<MorphFrame>& frames, const MorphProducts& p
         break;
     }
     for (const fs::path& file : written) {
-      session.result["outputs"].push_back(file.string());
-      session.text += "wrote " + file.string() + "\n";
+      session.wrote(file);
     }
   }
 }

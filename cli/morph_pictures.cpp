@@ -27,17 +27,15 @@ std::vector<Picture> bodies(const std::vector<MorphFrame>& frames, const MorphPi
                             const Progress& progress) {
   ScreenshotOptions view{.width_pixels = options.size_pixels,
                          .height_pixels = options.size_pixels,
-                         .view_from = options.view_from,
-                         .framed_points_mm = {},
-                         .marks = false};
+                         .look = {.view_from = options.view_from, .framed_points_mm = {}, .marks = false}};
   for (const MorphFrame& frame : frames)
-    view.framed_points_mm.insert(view.framed_points_mm.end(), frame.body().vertices_mm.begin(),
-                                 frame.body().vertices_mm.end());
+    view.look.framed_points_mm.insert(view.look.framed_points_mm.end(), frame.body().vertices_mm.begin(),
+                                      frame.body().vertices_mm.end());
   std::vector<Picture> pictures;
   for (const MorphFrame& frame : frames) {
     progress.report("pictures", static_cast<double>(pictures.size()) / static_cast<double>(frames.size()));
     pictures.push_back(frame.body().triangles.empty() ? white(view.width_pixels, view.height_pixels)
-                                                      : draw_picture({.surfaces = {frame.body()}}, view));
+                                                      : draw_picture({.surfaces = {{.mesh = frame.body()}}}, view));
   }
   return pictures;
 }

@@ -137,8 +137,7 @@ void report_quality(const std::vector<MorphFrame>& frames, const std::filesystem
   session.text += table(qualities, figures);
   if (plot.empty()) return;
   save_plot(qualities, figures, plot);
-  session.result["outputs"].push_back(plot.string());
-  session.text += "wrote " + plot.string() + "\n";
+  session.wrote(plot);
 }
 
 }  // namespace isostack::cli

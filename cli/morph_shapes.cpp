@@ -6,27 +6,21 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "cli/label_inputs.h"
+#include "cli/segment_images.h"
 #include "io/contours/contour_files.h"
 #include "io/dicom/dicom_header.h"
 #include "io/file_listing.h"
 #include "io/formats.h"
-#include "io/meshes/read_mesh.h"
-#include "io/solid_file.h"
 #include "recon/distance/distance_surface.h"
-#include "recon/distance/solid.h"
 #include "recon/geometry/errors.h"
 #include "recon/reconstruct.h"
 
 namespace isostack::cli {
 
 namespace {
-
-bool is_mesh(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path) || !find_format(path, &Format::read_mesh)) return false;
-  return !find_format(path, &Format::read_contours) || !holds_contours(path);
-}
 
 bool has_rule(const InputOptions& options) {
   return !options.level.empty() || !options.label.empty() || options.organ.has_rule();
@@ -70,29 +64,23 @@ Shape shape_of(const ContourStack& organ, const std::string& where, Session& ses
   return organ.slices.front();
 }
 
-/// Its surface on voxels of a hundredth of its longest side.
-TriangleMesh surface_of(const CsgSolid& solid, Session& session) {
-  const double voxel_mm = box_of(solid).sizes().maxCoeff() / 100;
-  const Grid grid = distance_grid(solid, voxel_mm, 3 * voxel_mm);
-  return distance_surface(solid_distance(solid, grid, {}, session.progress()).distance_mm, {}, session.progress());
-}
-
-KeyShape read_key_shape(InputOptions options, Session& session) {
+KeyShape read_key_shape(InputOptions options, const BodyOptions& bodies, Session& session) {
   const std::filesystem::path path = options.paths.front();
   require_exists(path);
   KeyShape shape{.name = path.filename().string(), .shape = {}};
   session.progress().report("read", 0);
-  if (holds_solid(path)) {
-    shape.shape = surface_of(read_solid(path), session);
-    return shape;
-  }
-  if (is_mesh(path)) {
-    shape.shape = read_mesh(path);
+  if (std::optional<TriangleMesh> body = read_body(path, bodies, session)) {
+    shape.shape = std::move(*body);
     return shape;
   }
   if (!is_contours(path) && options.label.empty()) {
     const SliceStack stack = chosen_slices(read_images(options, session), options);
     if (!has_rule(options)) options.level = middle_level(stack, path).value_or("");
+    if (options.organ.in_volume && stack.slices.size() > 1) {
+      shape.shape =
+          distance_surface(distances_in_images(stack, options, path.string(), session), {}, session.progress());
+      return shape;
+    }
     shape.image = grey_figure(options, stack);
   }
   const std::vector<ContourStack> organs = drawn_organs_from(options, session);
@@ -105,13 +93,13 @@ KeyShape read_key_shape(InputOptions options, Session& session) {
 
 }  // namespace
 
-std::vector<KeyShape> read_key_shapes(const InputOptions& options, Session& session) {
+std::vector<KeyShape> read_key_shapes(const InputOptions& options, const BodyOptions& bodies, Session& session) {
   std::vector<KeyShape> shapes;
   for (const std::filesystem::path& path : options.paths) {
     InputOptions one = options;
     one.paths = {path};
     if (one.spacing_mm.empty()) one.spacing_mm = {1, 1, 1};
-    shapes.push_back(read_key_shape(one, session));
+    shapes.push_back(read_key_shape(one, bodies, session));
   }
   return shapes;
 }

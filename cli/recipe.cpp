@@ -3,11 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <fstream>
 #include <sstream>
 
+#include "cli/option_values.h"
 #include "io/atomic_file.h"
 #include "recon/geometry/errors.h"
 
@@ -32,28 +31,11 @@ Json parsed(const std::string& name, std::istream& text) {
   }
 }
 
-std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
-
-/// The values as a command line has them: numbers of one array belong together, texts are repetitions.
-std::vector<std::string> values_of(const Json& value, const std::string& name, const std::string& option) {
-  if (!value.is_array()) {
-    if (!value.is_string() && !value.is_number() && !value.is_boolean())
-      refuse(name, "option '" + option + "' is neither a number, text, true nor an array of these");
-    return {text_of(value)};
-  }
-  std::vector<std::string> texts;
-  for (const Json& item : value) {
-    if (!item.is_string() && !item.is_number()) refuse(name, "option '" + option + "' has a strange item in its array");
-    texts.push_back(text_of(item));
-  }
-  const bool all_numbers = std::all_of(value.begin(), value.end(), [](const Json& item) { return item.is_number(); });
-  if (!all_numbers || texts.size() < 2) return texts;
-  std::string joined;
-  for (const std::string& text : texts) joined += (joined.empty() ? "" : ",") + text;
-  return {joined};
+std::vector<std::string> recipe_values(const Json& value, const std::string& name, const std::string& option) {
+  const std::optional<std::vector<std::string>> texts = argument_values(value);
+  if (!texts) refuse(name, "option '" + option + "' is neither a number, text, true nor an array of numbers or texts");
+  return *texts;
 }
-
-bool is_flag(const CLI::Option& option) { return option.get_expected_max() == 0; }
 
 /// Of the command's own, not where it reads and writes nor what steers recipes.
 bool belongs_into_recipe(const CLI::Option& option) {
@@ -62,26 +44,15 @@ bool belongs_into_recipe(const CLI::Option& option) {
   return !names.empty() && std::find(others.begin(), others.end(), names.front()) == others.end();
 }
 
-Json number_or_text(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return text;
-  if (value == std::floor(value) && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
-  return value;
-}
-
-Json json_of(const CLI::Option& option) {
-  if (is_flag(option)) return true;
-  const std::vector<std::string>& results = option.results();
-  const bool is_list = option.get_delimiter() != '\0' && results.size() > 1;
-  const bool is_repeated = option.get_expected_max() > 1 && option.get_delimiter() == '\0';
-  if (!is_list && !is_repeated) return number_or_text(results.front());
-  Json values = Json::array();
-  for (const std::string& result : results) values.push_back(is_list ? number_or_text(result) : Json(result));
-  return values;
-}
-
 }  // namespace
+
+bool is_recipe(const std::string& name_or_file) {
+  const auto& built_in = built_in_recipes();
+  if (std::any_of(built_in.begin(), built_in.end(), [&](const auto& r) { return r.name == name_or_file; })) return true;
+  std::ifstream file(name_or_file);
+  const Json json = Json::parse(file, nullptr, false);
+  return json.is_object() && json.contains("format") && json["format"] == format;
+}
 
 Json read_recipe(const std::string& name_or_file) {
   Json recipe;
@@ -126,7 +97,7 @@ void apply_recipe(const Json& recipe, const std::string& name, CLI::App& command
     if (is_given(option) || std::any_of(excluded.begin(), excluded.end(), is_given)) continue;
     if (value == false) continue;
     try {
-      for (const std::string& text : values_of(value, name, key)) option->add_result(text);
+      for (const std::string& text : recipe_values(value, name, key)) option->add_result(text);
       option->run_callback();
     } catch (const CLI::Error& error) {
       refuse(name, "option '" + key + "' has a value that will not do (" + error.what() + ")");
@@ -151,12 +122,12 @@ std::vector<std::string> arguments_of(const Json& recipe, const std::string& nam
   std::vector<std::string> arguments = {recipe["command"].get<std::string>()};
   if (!recipe.contains("input") || !recipe.contains("output"))
     refuse(name, "it has no input or output to run with; use it with `" + arguments.front() + " IN -o OUT --recipe`");
-  for (const std::string& input : values_of(recipe["input"], name, "input")) arguments.push_back(input);
-  for (const std::string& output : values_of(recipe["output"], name, "output"))
+  for (const std::string& input : recipe_values(recipe["input"], name, "input")) arguments.push_back(input);
+  for (const std::string& output : recipe_values(recipe["output"], name, "output"))
     arguments.insert(arguments.end(), {"-o", output});
   for (const auto& [key, value] : recipe["options"].items()) {
     if (value == false) continue;
-    for (const std::string& text : values_of(value, name, key)) {
+    for (const std::string& text : recipe_values(value, name, key)) {
       arguments.push_back("--" + key);
       if (value != true) arguments.push_back(text);
     }

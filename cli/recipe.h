@@ -20,6 +20,9 @@ struct BuiltInRecipe {
 /// Those of segmentation/recipes and recon/morphing/recipes.
 const std::vector<BuiltInRecipe>& built_in_recipes();
 
+/// True for the name of a built-in recipe, or a file that says it is one.
+bool is_recipe(const std::string& name_or_file);
+
 /// A built-in recipe by name, or a file. Throws InputError naming it.
 nlohmann::ordered_json read_recipe(const std::string& name_or_file);
 

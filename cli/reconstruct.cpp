@@ -12,6 +12,7 @@
 #include "cli/json_report.h"
 #include "cli/label_outputs.h"
 #include "cli/outputs.h"
+#include "cli/path_roles.h"
 #include "cli/retriangulation.h"
 #include "io/meshes/write_mesh.h"
 #include "io/volumes/volume_files.h"
@@ -142,8 +143,7 @@ void write_surfaces(const std::vector<Reconstruction>& surfaces, const Reconstru
   for (const Reconstruction& surface : surfaces) {
     const std::filesystem::path path = surfaces.size() == 1 ? output : with_suffix(output, surface.surface.name);
     write_mesh(surface.surface, path, options);
-    session.result["outputs"].push_back(path.string());
-    session.text += "wrote " + path.string() + "\n";
+    session.wrote(path);
   }
 }
 
@@ -159,8 +159,7 @@ void write_label_grid(const std::vector<Reconstruction>& surfaces, const Reconst
     add_segment(labels, mask, {.name = surface.surface.name, .value = value, .color = surface.surface.color});
   }
   write_organ_labels(labels, output, {}, session);
-  session.result["outputs"].push_back(output.string());
-  session.text += "wrote " + output.string() + "\n";
+  session.wrote(output);
 }
 
 void run_reconstruct(const ReconstructCommand& command, Session& session) {
@@ -253,9 +252,11 @@ void add_reconstruct(CLI::App& app, Session& session) {
       ->add_option(
           "-o,--output", options->outputs,
           "Surface (.stl, .ply, .obj, .vtp, .gltf, .glb) or labels (.nii, .nii.gz, .nrrd, .mha); may be repeated")
+      ->check(written_path())
       ->required()
       ->type_name("OUT");
   command->add_option("--grid", options->grid, "Volume whose grid label output uses (default: the input's)")
+      ->check(read_path())
       ->type_name("REF");
   command->callback([options, &session] {
     require_options_that_agree(*options);

@@ -11,6 +11,7 @@
 #include "cli/labels_on_series.h"
 #include "cli/like_options.h"
 #include "cli/outputs.h"
+#include "cli/path_roles.h"
 #include "cli/recipe.h"
 #include "io/contours/contour_files.h"
 #include "io/volumes/volume_files.h"
@@ -66,7 +67,7 @@ void run_segment(const SegmentCommand& command, Session& session) {
     session.result["organs"].push_back(summary);
   }
   session.result["output"] = command.output.string();
-  session.text += "wrote " + command.output.string() + "\n";
+  session.wrote(command.output);
 }
 
 }  // namespace
@@ -80,6 +81,7 @@ void add_segment(CLI::App& app, Session& session) {
   command
       ->add_option("-o,--output", options->output,
                    "Contours (.vtp, .json, RTSTRUCT .dcm) or labels (.nii, .nii.gz, .nrrd, .mha, SEG .dcm)")
+      ->check(written_path())
       ->required()
       ->type_name("OUT");
   command->add_option("--as", options->as, "What a .dcm output is: rtstruct (contours, default) or seg (labels)")
@@ -88,6 +90,7 @@ void add_segment(CLI::App& app, Session& session) {
   command
       ->add_option("--distance", options->input.organ.distance_file,
                    "Also the signed distance in mm, positive inside, as a volume (.nii.gz, .nrrd, .mha)")
+      ->check(written_path())
       ->type_name("FILE");
   command
       ->add_option("--recipe", options->recipe,

@@ -37,15 +37,23 @@ void require_volume(const SliceStack& stack, const std::filesystem::path& path) 
   }
 }
 
-/// One volume per organ, in the stack's order of slices.
-void write_distances(const SliceStack& stack, const SegmentedOrgans& segmented, const std::filesystem::path& path) {
+/// An organ's distances, one image a slice in the stack's order.
+Volume<float> volume_of(const SliceStack& stack, const std::vector<Image<float>>& distances_mm) {
   Volume<float> volume(grid_of(stack));
+  auto voxel = volume.voxels.begin();
+  for (const Image<float>& distance : distances_mm)
+    voxel = std::copy(distance.data(), distance.data() + distance.size(), voxel);
+  return volume;
+}
+
+/// One volume per organ.
+void write_distances(const SliceStack& stack, const SegmentedOrgans& segmented, const std::filesystem::path& path,
+                     Session& session) {
   for (std::size_t organ = 0; organ < segmented.organs.size(); ++organ) {
-    auto voxel = volume.voxels.begin();
-    for (const Image<float>& distance : segmented.distances_mm[organ])
-      voxel = std::copy(distance.data(), distance.data() + distance.size(), voxel);
-    write_volume(stored_volume_of(volume),
-                 segmented.organs.size() == 1 ? path : with_suffix(path, segmented.organs[organ].name));
+    const bool alone = segmented.organs.size() == 1;
+    const std::filesystem::path file = alone ? path : with_suffix(path, segmented.organs[organ].name);
+    write_volume(stored_distances_of(volume_of(stack, segmented.distances_mm[organ])), file);
+    session.wrote(file);
   }
 }
 
@@ -62,8 +70,21 @@ std::vector<ContourStack> segment_images(const SliceStack& stack, const InputOpt
     note_cut_slices(found, session);
     if (const std::string remark = remark_on_one_pixel_contours(found); !remark.empty()) session.note(remark);
   }
-  if (organ.keep_distances) write_distances(stack, segmented, distance_file);
+  if (organ.keep_distances) write_distances(stack, segmented, distance_file, session);
   return std::move(segmented.organs);
+}
+
+Volume<float> distances_in_images(const SliceStack& stack, const InputOptions& options, const std::string& where,
+                                  Session& session) {
+  OrganOptions organ = organ_options(options);
+  organ.keep_distances = true;
+  const SegmentedOrgans segmented = segment_organs(stack, organ, session.progress());
+  for (const std::string& remark : segmented.remarks) session.note(remark);
+  if (segmented.organs.size() != 1)
+    throw InputError(where, fmt::format("{} organs were found in it", segmented.organs.size()),
+                     "give seeds of one organ");
+  note_cut_slices(segmented.organs.front(), session);
+  return volume_of(stack, segmented.distances_mm.front());
 }
 
 }  // namespace isostack::cli

@@ -21,4 +21,13 @@ void Session::note(const std::string& remark) {
   fmt::print(stderr, "note: {}\n", remark);
 }
 
+void Session::wrote(const std::filesystem::path& file) {
+  result["outputs"].push_back(file.string());
+  text += "wrote " + file.string() + "\n";
+}
+
+std::vector<std::string> Session::written() const {
+  return result.contains("outputs") ? result["outputs"].get<std::vector<std::string>>() : std::vector<std::string>();
+}
+
 }  // namespace isostack::cli

@@ -4,6 +4,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "recon/geometry/progress.h"
 
@@ -16,6 +17,7 @@ struct Session {
   bool quiet = false;            ///< no progress, no notes
   int threads = 0;               ///< 0: all
   std::filesystem::path report;  ///< empty: none
+  std::filesystem::path record;  ///< pipeline to which the command is added; empty: none
 
   std::function<void()> run;  ///< set by the chosen command
   nlohmann::json result;      ///< filled by it
@@ -25,6 +27,10 @@ struct Session {
   Progress progress() const;
   /// A remark on stderr ("note: ...") unless --quiet; also kept in the result under "notes".
   void note(const std::string& remark);
+  /// Tells of a file that was written, in the text and under "outputs" of the result.
+  void wrote(const std::filesystem::path& file);
+  /// All that were.
+  std::vector<std::string> written() const;
 };
 
 }  // namespace isostack::cli

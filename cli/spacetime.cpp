@@ -27,6 +27,11 @@ double spacing_mm(const std::vector<MorphFrame>& frames, const Morph& morph) {
 }  // namespace
 
 TriangleMesh spacetime_surface(const Morph& morph, const SlicePose& pose, const Progress& progress) {
+  if (std::optional<TriangleMesh> mesh = morph.spacetime_mesh()) {
+    for (Eigen::Vector3d& vertex : mesh->vertices_mm)
+      vertex = pose.slice_to_world(vertex.head<2>()) + vertex.z() * pose.normal();
+    return *std::move(mesh);
+  }
   const std::optional<SpacetimeField> spacetime = morph.spacetime();
   if (!spacetime)
     throw InputError("-o", "a level-set morph, or shapes that do not lie on a line, have no surface in space-time",

@@ -1,5 +1,5 @@
-// isostack_make_shapes OUT_DIR: writes the shapes to morph: plane figures as PNG, bodies as PLY, and landmarks. Same
-// bytes on every run.
+// isostack_make_shapes OUT_DIR: writes the shapes to morph: plane figures as PNG and contours, bodies as PLY, landmarks
+// and features. Same bytes on every run.
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,11 @@
 #include <string>
 
 #include "io/atomic_file.h"
+#include "io/contours/contour_files.h"
 #include "io/images/write_pictures.h"
 #include "io/meshes/write_mesh.h"
-#include "recon/surface/extract_surface.h"
+#include "sample_data/body_mesh.h"
+#include "sample_data/outlines.h"
 #include "sample_data/shapes.h"
 
 namespace {
@@ -33,40 +35,9 @@ Image<std::uint8_t> image_of(const PlaneFigure& figure) {
   return image;
 }
 
-ScalarField field_of(const Body& body) {
-  ScalarField field;
-  field.values = [&body](const Eigen::Matrix3Xd& points) {
-    Eigen::VectorXd values(points.cols());
-    for (Eigen::Index i = 0; i < points.cols(); ++i) values[i] = body.depth_mm(points.col(i));
-    return values;
-  };
-  field.gradients = [&body](const Eigen::Matrix3Xd& points) {
-    constexpr double step_mm = 1e-4;
-    Eigen::Matrix3Xd gradients(3, points.cols());
-    for (Eigen::Index i = 0; i < points.cols(); ++i)
-      for (int axis = 0; axis < 3; ++axis) {
-        const Eigen::Vector3d step = step_mm * Eigen::Vector3d::Unit(axis), point = points.col(i);
-        gradients(axis, i) = (body.depth_mm(point + step) - body.depth_mm(point - step)) / (2 * step_mm);
-      }
-    return gradients;
-  };
-  return field;
-}
-
-/// A place on the surface, found on a line from far outside to the middle of the body or through it.
-Eigen::Vector3d seed_of(const Body& body) {
-  Eigen::Vector3d point(bounds_mm, 0.3, 0.2);
-  while (body.depth_mm(point) < 0) point.x() -= 0.05;
-  return point;
-}
-
 TriangleMesh mesh_of(const Body& body) {
-  ExtractionOptions options;
-  options.resolution_mm = cell_mm;
-  options.bounds = Eigen::AlignedBox3d(Eigen::Vector3d::Constant(-bounds_mm), Eigen::Vector3d::Constant(bounds_mm));
-  TriangleMesh mesh = extract_surface(field_of(body), {seed_of(body)}, options).mesh;
-  mesh.name = body.name;
-  return mesh;
+  const Eigen::AlignedBox3d bounds(Eigen::Vector3d::Constant(-bounds_mm), Eigen::Vector3d::Constant(bounds_mm));
+  return isostack::mesh_of(body, bounds, cell_mm);
 }
 
 /// The ends of the x's arms go to places of the o an eighth of a turn farther on.
@@ -82,11 +53,62 @@ constexpr const char* turning_landmarks = R"({
 }
 )";
 
+/// The star's arms become the triangle's lower corners, its legs points between these.
+constexpr const char* star_features = R"({
+  "format": "isostack-features",
+  "version": 1,
+  "features": [
+    {"from": {"shape": 0, "place_mm": [48, 10]}, "to": {"shape": 1, "place_mm": [48, 12]}},
+    {"from": {"shape": 0, "place_mm": [86.04, 37.64]}, "to": {"shape": 1, "place_mm": [84, 78]}},
+    {"from": {"shape": 0, "place_mm": [71.51, 82.36]}, "to": {"shape": 1, "place_mm": [59, 78]}},
+    {"from": {"shape": 0, "place_mm": [24.49, 82.36]}, "to": {"shape": 1, "place_mm": [37, 78]}},
+    {"from": {"shape": 0, "place_mm": [9.96, 37.64]}, "to": {"shape": 1, "place_mm": [12, 78]}}
+  ]
+}
+)";
+
+/// The middle bar of the 3 comes out too far on the way from the 2.
+std::string bar_transition(int level) {
+  return R"({
+  "format": "isostack-features",
+  "version": 1,
+  "transitions": [{"level": )" +
+         std::to_string(level) + R"(, "t": 0.5, "place_mm": [40, 52], "to_mm": [20, 46]}]
+}
+)";
+}
+
+/// As large as the modelled head, its corners right, left, behind, before, above and below.
+TriangleMesh octahedron() {
+  TriangleMesh mesh{.name = "octahedron", .vertices_mm = {}, .triangles = {}, .normals = {}};
+  mesh.vertices_mm = {{110, 0, 50}, {-110, 0, 50}, {0, 110, 50}, {0, -110, 50}, {0, 0, 170}, {0, 0, -70}};
+  mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  return mesh;
+}
+
+/// The corner before becomes the modelled head's nose, drawn out on the way.
+constexpr const char* nose_feature = R"({
+  "format": "isostack-features",
+  "version": 1,
+  "features": [
+    {"from": {"shape": 0, "vertex": 3}, "to": {"shape": 1, "place_mm": [0, -112, 54]},
+     "by_way_of": [{"t": 0.5, "place_mm": [0, -150, 40]}]}
+  ]
+}
+)";
+
 void make_shapes(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   for (const PlaneFigure& figure : plane_figures()) write_png(image_of(figure), folder / (figure.name + ".png"));
   for (const Body& body : bodies()) write_mesh(mesh_of(body), folder / (body.name + ".ply"));
+  for (const ContourSlice& figure : outline_figures())
+    write_contours({{.name = figure.name, .slices = {figure}}}, folder / (figure.name + ".json"));
+  write_mesh(octahedron(), folder / "octahedron.ply");
+  write_whole_file(folder / "octahedron_to_nose.json", nose_feature);
   write_whole_file(folder / "x_to_o_turned.json", turning_landmarks);
+  write_whole_file(folder / "pointed_to_triangle.json", star_features);
+  for (const int level : {1, 2, 3})
+    write_whole_file(folder / ("bar_at_level_" + std::to_string(level) + ".json"), bar_transition(level));
 }
 
 }  // namespace

@@ -114,7 +114,8 @@ Terms<D> terms_of(const Field<D>& grey, const std::optional<GreyRange>& range, c
 
 template <int D>
 Field<D> evolve_region(Field<D> start, const Field<D>& grey, const std::optional<GreyRange>& range,
-                       const EvolutionOptions& options, const std::string& where, const Progress& progress) {
+                       const EvolutionOptions& options, const std::string& where, const Progress& progress,
+                       const LevelSetObserver<D>& observer) {
   const double pixel_mm = start.smallest_spacing_mm();
   const Footprint<D> footprint(start);
   if (footprint.share == 0) {
@@ -131,7 +132,7 @@ Field<D> evolve_region(Field<D> start, const Field<D>& grey, const std::optional
     redistance(reach, options.stay_mm + 2 * pixel_mm);
     leash = std::move(reach.values);
   }
-  Field<D> result = evolve<D>(std::move(start), terms.weighted, level_set, progress).phi;
+  Field<D> result = evolve<D>(std::move(start), terms.weighted, level_set, progress, observer).phi;
   for (std::size_t node = 0; node < leash.size(); ++node)
     result.values[node] = std::min(result.values[node], leash[node] + static_cast<float>(options.stay_mm));
   require_sound(footprint, result, options, where);
@@ -139,8 +140,8 @@ Field<D> evolve_region(Field<D> start, const Field<D>& grey, const std::optional
 }
 
 template Field<2> evolve_region(Field<2>, const Field<2>&, const std::optional<GreyRange>&, const EvolutionOptions&,
-                                const std::string&, const Progress&);
+                                const std::string&, const Progress&, const LevelSetObserver<2>&);
 template Field<3> evolve_region(Field<3>, const Field<3>&, const std::optional<GreyRange>&, const EvolutionOptions&,
-                                const std::string&, const Progress&);
+                                const std::string&, const Progress&, const LevelSetObserver<3>&);
 
 }  // namespace isostack

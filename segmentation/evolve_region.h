@@ -5,6 +5,7 @@
 
 #include "recon/geometry/progress.h"
 #include "segmentation/field.h"
+#include "segmentation/level_set.h"
 #include "segmentation/threshold.h"
 
 namespace isostack {
@@ -29,14 +30,17 @@ struct EvolutionOptions {
 /// Evolves a region (>= 0 inside, any scale) on its grey values. Returns the signed distance in mm next to the curve
 /// (narrow_band_pixels), ± the width of that band elsewhere. `where` names the slice or volume in messages. Throws
 /// Cancelled when `progress` says so, InputError when a region that could hold out against the curvature vanishes, or
-/// when a region of less than half the image fills nearly all of it.
+/// when a region of less than half the image fills nearly all of it. `observer` sees every state (level_set.h).
 template <int D>
 Field<D> evolve_region(Field<D> start, const Field<D>& grey, const std::optional<GreyRange>& range,
-                       const EvolutionOptions& options, const std::string& where, const Progress& progress = {});
+                       const EvolutionOptions& options, const std::string& where, const Progress& progress = {},
+                       const LevelSetObserver<D>& observer = {});
 
 extern template Field<2> evolve_region(Field<2>, const Field<2>&, const std::optional<GreyRange>&,
-                                       const EvolutionOptions&, const std::string&, const Progress&);
+                                       const EvolutionOptions&, const std::string&, const Progress&,
+                                       const LevelSetObserver<2>&);
 extern template Field<3> evolve_region(Field<3>, const Field<3>&, const std::optional<GreyRange>&,
-                                       const EvolutionOptions&, const std::string&, const Progress&);
+                                       const EvolutionOptions&, const std::string&, const Progress&,
+                                       const LevelSetObserver<3>&);
 
 }  // namespace isostack

@@ -133,8 +133,14 @@ void evolve(OrganRegion& organ, OrganScene& scene, const OrganOptions& options, 
   }
   for_each_slice(scene.order.size(), progress, stage, 0.3, 0.9, [&](std::size_t k) {
     const Eigen::Vector2d& spacing_mm = scene.pose(k).spacing_mm;
+    LevelSetObserver<2> observer;
+    if (options.observer)
+      observer = [&options, slice = scene.order[k]](const LevelSetState<2>& state) {
+        options.observer(slice, state);
+        return true;
+      };
     organ.phi[k] = image_of(evolve_region<2>(field_of(organ.phi[k], spacing_mm), field_of(scene.grey[k], spacing_mm),
-                                             organ.range, options.evolution, scene.slice(k).name));
+                                             organ.range, options.evolution, scene.slice(k).name, {}, observer));
   });
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -7,6 +9,7 @@
 #include "recon/geometry/progress.h"
 #include "recon/geometry/slice.h"
 #include "segmentation/evolve_region.h"
+#include "segmentation/level_set.h"
 #include "segmentation/seeds.h"
 #include "segmentation/start_steps.h"
 
@@ -22,6 +25,9 @@ struct OrganOptions {
   bool in_volume = false;           ///< motions and evolution in 3D instead of slice by slice; needs even spacing
   EvolutionOptions evolution = {};  ///< what follows the start
   bool keep_distances = false;      ///< return the signed distances
+  /// Called for every state of every slice's evolution (neither in_volume nor propagated), from several threads at
+  /// once. `slice` is an index into the stack.
+  std::function<void(std::size_t slice, const LevelSetState<2>&)> observer = {};
 };
 
 struct SegmentedOrgans {

@@ -5,6 +5,7 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCommand.h>
+#include <vtkCoordinate.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -14,6 +15,7 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace isostack {
@@ -26,12 +28,16 @@ constexpr double label_size = 0.024;
 constexpr double margin = 0.035;
 
 /// A text whose size is set in pixels; VTK's font sizes are in points of 1/72 inch at the window's resolution.
-void style_text(vtkTextActor& text, const Eigen::Vector3d& colour) {
+void style_text(vtkTextActor& text, const TextColours& colours) {
   vtkTextProperty& look = *text.GetTextProperty();
   look.SetFontFamilyToArial();
-  look.SetColor(colour.x(), colour.y(), colour.z());
+  look.SetColor(colours.ink.x(), colours.ink.y(), colours.ink.z());
+  look.SetBackgroundColor(colours.ground.x(), colours.ground.y(), colours.ground.z());
+  look.SetBackgroundOpacity(0.8);  // to be read on images too
   look.SetJustificationToCentered();
+  look.SetLineSpacing(1.25);
   text.SetTextScaleModeToNone();
+  text.GetPositionCoordinate()->SetCoordinateSystemToViewport();
 }
 
 /// Keeps title and bar in proportion to the picture and to the camera's scale each time it is drawn.
@@ -39,7 +45,7 @@ class ScaleBar : public vtkCommand {
  public:
   static ScaleBar* New() { return new ScaleBar; }
 
-  void attach(const Eigen::Vector3d& colour, vtkRenderer& renderer) {
+  void attach(const TextColours& colours, vtkRenderer& renderer) {
     vtkNew<vtkCellArray> line;
     line->InsertNextCell({0, 1, 2, 3, 4, 5});
     points_->SetNumberOfPoints(6);
@@ -47,9 +53,12 @@ class ScaleBar : public vtkCommand {
     shape_->SetLines(line);
     vtkNew<vtkPolyDataMapper2D> mapper;
     mapper->SetInputData(shape_);
+    halo_->SetMapper(mapper);
+    halo_->GetProperty()->SetColor(colours.ground.x(), colours.ground.y(), colours.ground.z());
     bar_->SetMapper(mapper);
-    bar_->GetProperty()->SetColor(colour.x(), colour.y(), colour.z());
-    style_text(*label_, colour);
+    bar_->GetProperty()->SetColor(colours.ink.x(), colours.ink.y(), colours.ink.z());
+    style_text(*label_, colours);
+    renderer.AddActor2D(halo_);
     renderer.AddActor2D(bar_);
     renderer.AddActor2D(label_);
     renderer.AddObserver(vtkCommand::StartEvent, this);
@@ -66,39 +75,38 @@ class ScaleBar : public vtkCommand {
                                   {right, bottom},       {right, bottom + tick}, {right, bottom - tick}};
     for (int i = 0; i < 6; ++i) points_->SetPoint(i, corners[i][0], corners[i][1], 0);
     points_->Modified();
+    halo_->GetProperty()->SetLineWidth(static_cast<float>(0.0075 * height));
     bar_->GetProperty()->SetLineWidth(static_cast<float>(0.0025 * height));
     label_->SetInput(fmt::format("{:g} mm", length_mm).c_str());
     label_->GetTextProperty()->SetFontSize(static_cast<int>(label_size * height));
-    label_->SetDisplayPosition(static_cast<int>((left + right) / 2), static_cast<int>(bottom + 1.5 * tick));
+    label_->SetPosition((left + right) / 2, bottom + 1.5 * tick);
   }
 
  private:
   vtkNew<vtkPoints> points_;
   vtkNew<vtkPolyData> shape_;
-  vtkNew<vtkActor2D> bar_;
+  vtkNew<vtkActor2D> halo_, bar_;  ///< the halo is for images under the bar
   vtkNew<vtkTextActor> label_;
 };
 
-class Title : public vtkCommand {
+/// Keeps a title within the picture each time it is drawn.
+class PlaceTitle : public vtkCommand {
  public:
-  static Title* New() { return new Title; }
-
-  void attach(const std::string& title, const Eigen::Vector3d& colour, vtkRenderer& renderer) {
-    text_->SetInput(title.c_str());
-    style_text(*text_, colour);
-    text_->GetTextProperty()->SetVerticalJustificationToTop();
-    renderer.AddActor2D(text_);
-    renderer.AddObserver(vtkCommand::StartEvent, this);
-  }
+  static PlaceTitle* New() { return new PlaceTitle; }
+  vtkSmartPointer<vtkTextActor> text;
 
   void Execute(vtkObject* caller, unsigned long, void*) override {
-    const int* size = static_cast<vtkRenderer*>(caller)->GetSize();
-    text_->GetTextProperty()->SetFontSize(static_cast<int>(title_size * size[1]));
-    text_->SetDisplayPosition(size[0] / 2, static_cast<int>((1 - margin) * size[1]));
+    auto& renderer = *static_cast<vtkRenderer*>(caller);
+    const int* size = renderer.GetSize();
+    vtkTextProperty& look = *text->GetTextProperty();
+    look.SetFontSize(std::max(1, static_cast<int>(title_size * size[1])));
+    double text_pixels[2] = {0, 0};
+    text->GetSize(&renderer, text_pixels);
+    const double most = (1 - 2 * margin) * size[0];
+    if (text_pixels[0] > most)
+      look.SetFontSize(std::max(6, static_cast<int>(look.GetFontSize() * most / text_pixels[0])));
+    text->SetPosition(size[0] / 2.0, (1 - margin) * size[1]);
   }
-
- private:
-  vtkNew<vtkTextActor> text_;
 };
 
 }  // namespace
@@ -110,15 +118,23 @@ double round_length_mm(double longest_mm) {
   return power;
 }
 
-void add_title(const std::string& title, const Eigen::Vector3d& colour, vtkRenderer& renderer) {
-  if (title.empty()) return;
-  vtkNew<Title> command;
-  command->attach(title, colour, renderer);
+Title::Title(const TextColours& colours, vtkRenderer& renderer) : text_(vtkSmartPointer<vtkTextActor>::New()) {
+  style_text(*text_, colours);
+  text_->GetTextProperty()->SetVerticalJustificationToTop();
+  renderer.AddActor2D(text_);
+  vtkNew<PlaceTitle> place;
+  place->text = text_;
+  renderer.AddObserver(vtkCommand::StartEvent, place);
 }
 
-void add_scale_bar(const Eigen::Vector3d& colour, vtkRenderer& renderer) {
+void Title::set(const std::string& title) {
+  text_->SetInput(title.c_str());
+  text_->SetVisibility(!title.empty());
+}
+
+void add_scale_bar(const TextColours& colours, vtkRenderer& renderer) {
   vtkNew<ScaleBar> command;
-  command->attach(colour, renderer);
+  command->attach(colours, renderer);
 }
 
 }  // namespace isostack

@@ -10,7 +10,6 @@ namespace isostack {
 
 namespace {
 
-constexpr std::size_t most_columns = 9;
 constexpr int gap_pixels = 8;
 
 void lay_in(const Picture& part, int left, int top, Picture& whole) {
@@ -23,28 +22,30 @@ void lay_in(const Picture& part, int left, int top, Picture& whole) {
 
 }  // namespace
 
-Picture contact_sheet(const std::vector<CaptionedPicture>& pictures) {
+Picture contact_sheet(const std::vector<CaptionedPicture>& pictures, const ContactSheetLook& look) {
   if (pictures.empty()) throw InputError("contact sheet", "there is no picture", "give at least one");
   const int width = pictures.front().picture.width_pixels, height = pictures.front().picture.height_pixels;
   for (const CaptionedPicture& each : pictures)
     if (each.picture.width_pixels != width || each.picture.height_pixels != height)
       throw InputError("contact sheet", "its pictures are not of one size", "draw all in one frame");
-  const std::size_t rows = (pictures.size() + most_columns - 1) / most_columns;
+  const std::size_t rows = (pictures.size() + look.columns - 1) / look.columns;
   const std::size_t columns = (pictures.size() + rows - 1) / rows;
-  const TextLook look{.height_pixels = std::clamp(width / 11, 11, 28)};
-  const int caption_pixels = 2 * look.height_pixels;
+  const TextLook text{.height_pixels = std::clamp(width / 11, 11, 28), .ink = look.ink};
+  const int caption_pixels = 2 * text.height_pixels;
   const int step_x = width + gap_pixels, step_y = height + caption_pixels + gap_pixels;
   Picture sheet{.width_pixels = static_cast<int>(columns) * step_x + gap_pixels,
                 .height_pixels = static_cast<int>(rows) * step_y + gap_pixels,
                 .rgb = {}};
-  sheet.rgb.assign(
-      std::size_t{3} * static_cast<std::size_t>(sheet.width_pixels) * static_cast<std::size_t>(sheet.height_pixels),
-      255);
+  const std::size_t sheet_pixels =
+      static_cast<std::size_t>(sheet.width_pixels) * static_cast<std::size_t>(sheet.height_pixels);
+  sheet.rgb.reserve(3 * sheet_pixels);
+  for (std::size_t i = 0; i < sheet_pixels; ++i)
+    sheet.rgb.insert(sheet.rgb.end(), {look.ground.red, look.ground.green, look.ground.blue});
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const int left = gap_pixels + static_cast<int>(i % columns) * step_x;
     const int top = gap_pixels + static_cast<int>(i / columns) * step_y;
     lay_in(pictures[i].picture, left, top, sheet);
-    draw_text(pictures[i].caption, left + width / 2.0, top + height + caption_pixels / 2.0, look, sheet);
+    draw_text(pictures[i].caption, left + width / 2.0, top + height + caption_pixels / 2.0, text, sheet);
   }
   return sheet;
 }

@@ -61,10 +61,13 @@ class FollowCamera : public vtkCommand {
 
 void add_orientation_marker(bool dark, vtkRenderer& renderer, vtkRenderWindow& window) {
   constexpr double height_share = 0.15;
-  const int* size = window.GetSize();
+  const int* size = renderer.GetSize();
   const double width_share = height_share * size[1] / size[0];
+  const double* part = renderer.GetViewport();
+  const double across = part[2] - part[0], up = part[3] - part[1];
   vtkNew<vtkRenderer> marker;
-  marker->SetViewport(0.01, 0.01, 0.01 + width_share, 0.01 + height_share);
+  marker->SetViewport(part[0] + 0.01 * across, part[1] + 0.01 * up, part[0] + (0.01 + width_share) * across,
+                      part[1] + (0.01 + height_share) * up);
   marker->AddActor(patient_cube(dark));
   marker->SetLayer(1);
   marker->InteractiveOff();

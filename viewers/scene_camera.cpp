@@ -13,16 +13,16 @@ namespace isostack {
 
 namespace {
 
-constexpr double filled_height = 0.80;  // leaves room for the title above, scale bar and marker below
-constexpr double filled_width = 0.92;
+constexpr double wider = 1.15;  ///< of the width more is filled: title, scale bar and marker are above and below
 
 /// Columns: right, up and towards the viewer.
-Eigen::Matrix3d view_axes(const Eigen::Vector3d& view_from) {
+Eigen::Matrix3d view_axes(const Eigen::Vector3d& view_from, const std::optional<Eigen::Vector3d>& view_up) {
   if (!view_from.allFinite() || view_from.norm() < 1e-9)
     throw InputError("view", "the viewing direction has no length", "give a direction such as 0.5,-0.9,0.35");
   const Eigen::Vector3d towards_viewer = view_from.normalized();
   const bool along_body = std::abs(towards_viewer.z()) > 0.999;
-  const Eigen::Vector3d up = along_body ? Eigen::Vector3d(0, -1, 0) : Eigen::Vector3d(0, 0, 1);
+  const Eigen::Vector3d body_up = along_body ? Eigen::Vector3d(0, -1, 0) : Eigen::Vector3d(0, 0, 1);
+  const Eigen::Vector3d up = view_up.value_or(body_up);
   Eigen::Matrix3d axes;
   axes.col(0) = up.cross(towards_viewer).normalized();
   axes.col(1) = towards_viewer.cross(axes.col(0));
@@ -32,9 +32,9 @@ Eigen::Matrix3d view_axes(const Eigen::Vector3d& view_from) {
 
 }  // namespace
 
-void aim_camera(const std::vector<Eigen::Vector3d>& points_mm, const Eigen::Vector3d& view_from,
+void aim_camera(const std::vector<Eigen::Vector3d>& points_mm, const SceneLook& look, double free_share,
                 vtkRenderer& renderer) {
-  const Eigen::Matrix3d axes = view_axes(view_from);
+  const Eigen::Matrix3d axes = view_axes(look.view_from, look.view_up);
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& point : points_mm) box.extend(axes.transpose() * point);
   const Eigen::Vector3d size_mm = box.sizes().cwiseMax(1e-3);
@@ -48,7 +48,10 @@ void aim_camera(const std::vector<Eigen::Vector3d>& points_mm, const Eigen::Vect
   camera.SetFocalPoint(centre.data());
   camera.SetPosition(position.data());
   camera.SetViewUp(axes.col(1).eval().data());
-  camera.SetParallelScale(std::max(size_mm.y() / filled_height, size_mm.x() / filled_width / aspect) / 2);
+  const double height_mm = size_mm.y() / look.filled;
+  const double width_mm = size_mm.x() / (std::min(1.0, wider * look.filled) * free_share);
+  camera.SetParallelScale(std::max(height_mm, width_mm / aspect) / 2);
+  camera.SetWindowCenter(1 - free_share, 0);
   renderer.ResetCameraClippingRange();
 }
 

@@ -3,13 +3,16 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "viewers/scene_look.h"
+
 class vtkRenderer;
 
 namespace isostack {
 
-/// Looks at the points (world LPS mm) from the direction `view_from`, superior up (anterior up when looking along the
-/// body's axis), in parallel projection, so that all of them fill the renderer's viewport up to a margin.
-/// Parallel, because only then one scale bar holds for the whole picture.
-void aim_camera(const std::vector<Eigen::Vector3d>& points_mm, const Eigen::Vector3d& view_from, vtkRenderer& renderer);
+/// Looks at the points (world LPS mm) as the look says, in parallel projection, so that they fill the renderer's
+/// viewport. Parallel, because only then one scale bar holds for the whole picture. `free_share`: the part of the
+/// width, from the left, that they may take.
+void aim_camera(const std::vector<Eigen::Vector3d>& points_mm, const SceneLook& look, double free_share,
+                vtkRenderer& renderer);
 
 }  // namespace isostack

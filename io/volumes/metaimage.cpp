@@ -102,6 +102,7 @@ MetaImageHeader parse_header(const std::filesystem::path& path) {
   MetaImageHeader header;
   read_size_and_type(fields, header.volume, where);
   read_pose(fields, header.volume, where);
+  header.volume.is_distance = fields.text("comment").starts_with(distance_mark);
   header.voxels = find_voxels(fields, path);
   check_volume_header(header.volume, header.voxels, where);
   return header;
@@ -140,10 +141,12 @@ std::string header_text(const VolumeHeader& header) {
   for (const ValueType& known : value_types)
     if (known.name == header.value_type) type = known.key;
   std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return std::toupper(c); });
+  const std::string comment =
+      header.is_distance ? fmt::format("Comment = {}, mm, positive inside\n", distance_mark) : "";
   return fmt::format(
-      "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = {}\nTransformMatrix ={}\n"
+      "ObjectType = Image\nNDims = 3\n{}BinaryData = True\nBinaryDataByteOrderMSB = {}\nTransformMatrix ={}\n"
       "Offset = {} {} {}\nCenterOfRotation = 0 0 0\nElementSpacing = {} {} {}\nDimSize = {} {} {}\nElementType = {}\n",
-      std::endian::native == std::endian::big ? "True" : "False", directions, map.translation().x(),
+      comment, std::endian::native == std::endian::big ? "True" : "False", directions, map.translation().x(),
       map.translation().y(), map.translation().z(), spacing_mm.x(), spacing_mm.y(), spacing_mm.z(),
       header.grid.size.x(), header.grid.size.y(), header.grid.size.z(), type);
 }

@@ -77,6 +77,9 @@ HeaderBytes header_for(const VolumeHeader& volume, std::size_t voxel_offset) {
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 4; ++column)
       header.put<float>(280 + 4 * (4 * row + column), {static_cast<float>(ras(row, column))});
+  if (volume.is_distance)  // intent_name
+    for (std::size_t i = 0; i < distance_mark.size(); ++i)
+      header.put<char>(328 + static_cast<int>(i), {distance_mark[i]});
   header.put<char>(344, {'n', '+', '1', '\0'});
   return header;
 }

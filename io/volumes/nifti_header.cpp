@@ -20,10 +20,10 @@ namespace {
 /// Where the fields of one NIfTI version lie, in bytes.
 struct Layout {
   int header_bytes, magic, dim, dim_bytes, datatype, pixdim, real_bytes, vox_offset, slope, units, units_bytes,
-      qform_code, sform_code, code_bytes, quatern, sform;
+      qform_code, sform_code, code_bytes, quatern, sform, intent_name;
 };
-constexpr Layout nifti1 = {348, 344, 40, 2, 70, 76, 4, 108, 112, 123, 1, 252, 254, 2, 256, 280};
-constexpr Layout nifti2 = {540, 4, 16, 8, 12, 104, 8, 168, 176, 500, 4, 344, 348, 4, 352, 400};
+constexpr Layout nifti1 = {348, 344, 40, 2, 70, 76, 4, 108, 112, 123, 1, 252, 254, 2, 256, 280, 328};
+constexpr Layout nifti2 = {540, 4, 16, 8, 12, 104, 8, 168, 176, 500, 4, 344, 348, 4, 352, 400, 508};
 
 /// The bytes of a header and how to read numbers from them.
 class Fields {
@@ -34,6 +34,7 @@ class Fields {
   bool compressed() const { return compressed_; }
   const Layout& layout() const { return *layout_; }
   std::string_view magic() const { return {bytes_.data() + layout_->magic, 4}; }
+  std::string_view intent_name() const { return {bytes_.data() + layout_->intent_name, 16}; }
   std::int64_t whole(int at, int bytes) const {
     switch (bytes) {
       case 1:
@@ -182,6 +183,7 @@ NiftiHeader parse_nifti_header(const std::filesystem::path& path) {
     header.volume.intercept = std::isfinite(intercept) ? intercept : 0;
   }
   read_pose(fields, header);
+  header.volume.is_distance = fields.intent_name().starts_with(distance_mark);
   if (header.volume.grid.size.z() == 1) {  // a single image may leave its slice distance at 0
     auto axes_mm = header.volume.grid.index_to_world.linear();
     if (axes_mm.col(2).norm() < 1e-6) axes_mm.col(2) = axes_mm.col(0).cross(axes_mm.col(1)).normalized();

@@ -149,6 +149,7 @@ NrrdHeader parse_header(const TextHeader& fields, const std::filesystem::path& p
   read_size(fields, header.volume, where);
   read_type(fields, header.volume, where);
   read_pose(fields, header.volume, where);
+  header.volume.is_distance = fields.text("content").starts_with(distance_mark);
   header.voxels = find_voxels(fields, path);
   check_volume_header(header.volume, header.voxels, where);
   return header;

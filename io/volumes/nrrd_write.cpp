@@ -21,6 +21,7 @@ std::string first_lines(const VolumeHeader& header) {
   const bool layered = header.components > 1;
   std::string lines = "NRRD0005\n# Complete NRRD file format specification at:\n# http://teem.sourceforge.net/nrrd/\n";
   lines += fmt::format("type: {}\ndimension: {}\nspace: left-posterior-superior\n", header.value_type, layered ? 4 : 3);
+  if (header.is_distance) lines += fmt::format("content: {}, mm, positive inside\n", distance_mark);
   lines += fmt::format("sizes: {}{} {} {}\n", layered ? fmt::format("{} ", header.components) : "", size.x(), size.y(),
                        size.z());
   lines += fmt::format("space directions: {}{} {} {}\n", layered ? "none " : "", vector_text(map.linear().col(0)),

@@ -69,4 +69,10 @@ StoredVolume stored_volume_of(const Volume<float>& volume) {
   return stored;
 }
 
+StoredVolume stored_distances_of(const Volume<float>& distances_mm) {
+  StoredVolume stored = stored_volume_of(distances_mm);
+  stored.header.is_distance = true;
+  return stored;
+}
+
 }  // namespace isostack

@@ -32,4 +32,7 @@ StoredVolume with_rescale_applied(StoredVolume volume);
 /// The values in the narrowest integer type, or float, that holds each of them exactly.
 StoredVolume stored_volume_of(const Volume<float>& volume);
 
+/// The same of signed distances in mm, positive inside, marked as such.
+StoredVolume stored_distances_of(const Volume<float>& distances_mm);
+
 }  // namespace isostack

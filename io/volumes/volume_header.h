@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "recon/geometry/volume.h"
@@ -16,8 +17,12 @@ struct VolumeHeader {
   int components = 1;      ///< values per voxel, interleaved: layers of labels
   double slope = 1;        ///< value = slope * stored + intercept
   double intercept = 0;
+  bool is_distance = false;           ///< values are signed distances in mm, positive inside, and the file says so
   std::vector<std::string> warnings;  ///< what to know about the pose
 };
+
+/// What files say of such values: in `intent_name` of NIfTI, `Comment` of MetaImage, `content` of NRRD.
+inline constexpr std::string_view distance_mark = "signed distance";
 
 /// Where a header's voxels are.
 struct VoxelFile {

@@ -145,11 +145,13 @@ void require_closed(const TriangleMesh& mesh) {
   const MeshMeasures measures = measure(mesh);
   if (measures.boundary_edges > 0)
     throw InputError(name_of(mesh), std::to_string(measures.boundary_edges) + " edges have a triangle on one side only",
-                     "close the mesh");
+                     "close the mesh, or have it mended");
   if (!measures.watertight())
-    throw InputError(name_of(mesh), "triangles cross in an edge or disagree about the outside", "repair the mesh");
+    throw InputError(name_of(mesh), "triangles cross in an edge or disagree about the outside",
+                     "repair the mesh, or have it mended");
   if (!(measures.volume_mm3 > 0))
-    throw InputError(name_of(mesh), "the mesh encloses no volume, or its triangles face inwards", "turn it inside out");
+    throw InputError(name_of(mesh), "the mesh encloses no volume, or its triangles face inwards",
+                     "turn it inside out, or have it mended");
 }
 
 std::vector<MeshSample> vertex_samples(const TriangleMesh& mesh) {

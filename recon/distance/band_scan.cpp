@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "recon/geometry/errors.h"
+
 namespace isostack {
 
 namespace {
@@ -54,6 +56,14 @@ BandDistances scan_band(const TriangleMesh& mesh, const MeshTopology& topology, 
     }
   });
   return band;
+}
+
+double checked_band_mm(double band_mm, const Grid& grid) {
+  if (grid.size.minCoeff() < 1 || !(std::abs(grid.index_to_world.linear().determinant()) > 0))
+    throw GeometryError("distance volume", "its grid is empty or flat", "give a grid with a size and three axes");
+  if (!(band_mm >= 0) || !std::isfinite(band_mm))
+    throw InputError("distance volume", "its band is not a length", "give millimetres, or 0 for three voxels");
+  return band_mm > 0 ? band_mm : 3 * grid.index_to_world.linear().colwise().norm().maxCoeff();
 }
 
 }  // namespace isostack

@@ -18,4 +18,8 @@ struct BandDistances {
 BandDistances scan_band(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid, double band_mm,
                         const Progress& progress);
 
+/// The given width, or three of the grid's longest voxel edges for 0. Throws InputError when it is no length,
+/// GeometryError for an empty or flat grid.
+double checked_band_mm(double band_mm, const Grid& grid);
+
 }  // namespace isostack

@@ -28,25 +28,11 @@ void require_usable(const TriangleMesh& mesh) {
     if (!v.allFinite()) throw InputError(where, "a vertex is not finite", "repair the mesh");
 }
 
-double checked_band_mm(const MeshDistanceOptions& options, const Grid& grid) {
-  if (grid.size.minCoeff() < 1 || !(std::abs(grid.index_to_world.linear().determinant()) > 0))
-    throw GeometryError("distance volume", "its grid is empty or flat", "give a grid with a size and three axes");
-  if (!(options.band_mm >= 0) || !std::isfinite(options.band_mm))
-    throw InputError("distance volume", "its band is not a length", "give millimetres, or 0 for three voxels");
-  const double longest_mm = grid.index_to_world.linear().colwise().norm().maxCoeff();
-  return options.band_mm > 0 ? options.band_mm : 3 * longest_mm;
-}
-
-Triangle corners_of(const TriangleMesh& mesh, int triangle) {
-  return {vertex_mm(mesh, corner(mesh, triangle, 0)), vertex_mm(mesh, corner(mesh, triangle, 1)),
-          vertex_mm(mesh, corner(mesh, triangle, 2))};
-}
-
 /// Where the surface does not come near the grid: the triangle nearest to the first voxel, to start from.
 void seed_first_voxel(const TriangleMesh& mesh, const Grid& grid, CarriedDistances& known) {
   const Vector3d point = grid.index_to_world.translation();
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    const auto mm = static_cast<float>((closest_point_on_triangle(corners_of(mesh, t), point) - point).norm());
+    const auto mm = static_cast<float>((closest_point_on_triangle(triangle_of(mesh, t), point) - point).norm());
     if (mm < known.mm.front()) known.mm.front() = mm, known.triangle.front() = t;
   }
 }
@@ -68,7 +54,7 @@ void keep_closest(const TriangleMesh& mesh, const MeshTopology& topology, const 
       const std::size_t voxel = grid.offset(i, j, k);
       if (known.triangle[voxel] < 0) continue;
       result.closest_points_mm[voxel] =
-          closest_point_on_triangle(corners_of(mesh, known.triangle[voxel]), grid.index_to_world * Vector3d(i, j, k));
+          closest_point_on_triangle(triangle_of(mesh, known.triangle[voxel]), grid.index_to_world * Vector3d(i, j, k));
       result.closest_elements[voxel] = elements[voxel] >= 0
                                            ? described(elements[voxel], cells, topology)
                                            : MeshElement{MeshElement::Kind::face, known.triangle[voxel]};
@@ -89,9 +75,9 @@ void set_signed(const CarriedDistances& known, const std::vector<std::uint8_t>& 
 MeshDistance mesh_distance(const TriangleMesh& mesh, const Grid& grid, const MeshDistanceOptions& options,
                            const Progress& progress) {
   require_usable(mesh);
-  const double band_mm = checked_band_mm(options, grid);
+  const double band_mm = checked_band_mm(options.band_mm, grid);
   const MeshTopology topology = topology_of(mesh);
-  MeshInside sides = inside_of(mesh, topology, grid);
+  MeshInside sides = inside_of(mesh, topology, grid, options.sign);
   BandDistances band = scan_band(mesh, topology, grid, band_mm, progress);
 
   const MeshCells cells(mesh, topology, grid, band_mm);

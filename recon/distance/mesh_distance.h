@@ -16,9 +16,15 @@ enum class DistanceExtent {
   full   ///< and these get the distance to the closest point that fast marching carries to them
 };
 
+enum class MeshSign {
+  by_crossings,  ///< inside is what rows enter an odd number of times; open meshes by winding
+  by_winding     ///< inside is where the winding number of the triangles, turned alike, is beyond 1/2: overlaps unite
+};
+
 struct MeshDistanceOptions {
   double band_mm = 0;  ///< distances up to this are exact; 0: three of the grid's longest voxel edges
   DistanceExtent extent = DistanceExtent::full;
+  MeshSign sign = MeshSign::by_crossings;
   bool keep_closest = false;  ///< closest point and element of every voxel
 };
 

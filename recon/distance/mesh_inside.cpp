@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -81,33 +83,80 @@ TriangleMesh turned_alike(const TriangleMesh& mesh, const MeshTopology& topology
   return result;
 }
 
+/// Cells of so many voxels each way.
+constexpr int cell_voxels = 4;
+
+/// Which cells a triangle's box touches.
+Volume<std::uint8_t> touched_cells(const TriangleMesh& mesh, const Grid& grid) {
+  Grid cells;
+  cells.size = grid.size.array() / cell_voxels + 1;
+  Volume<std::uint8_t> touched(cells);
+  const Eigen::Affine3d world_to_index = grid.index_to_world.inverse();
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    Eigen::AlignedBox3d box;
+    for (const int v : t) box.extend(world_to_index * vertex_mm(mesh, v));
+    const auto cell_at = [&](const Eigen::Vector3d& index) -> Eigen::Vector3i {
+      const Eigen::Array3d last = (cells.size.array() - 1).cast<double>();
+      return (index.array() / cell_voxels).floor().max(0.0).min(last).cast<int>();
+    };
+    const Eigen::Vector3i low = cell_at(box.min()), high = cell_at(box.max());
+    for (int k = low.z(); k <= high.z(); ++k)
+      for (int j = low.y(); j <= high.y(); ++j)
+        for (int i = low.x(); i <= high.x(); ++i) touched.at(i, j, k) = 1;
+  }
+  return touched;
+}
+
+/// The number is harmonic away from the triangles, so that it has its extremes at a cell's border where there are none:
+/// such cells go by their corners when these are clear.
 void mark_by_winding(const TriangleMesh& mesh, const Grid& grid, std::vector<std::uint8_t>& inside) {
+  constexpr double clear = 0.25;
   const WindingNumber winding(mesh);
-  tbb::parallel_for(0, grid.size.z() * grid.size.y(), [&](int row) {
-    const int j = row % grid.size.y(), k = row / grid.size.y();
-    for (int i = 0; i < grid.size.x(); ++i)
-      inside[grid.offset(i, j, k)] = std::abs(winding.at(grid.index_to_world * Eigen::Vector3d(i, j, k))) > 0.5 ? 1 : 0;
+  const Volume<std::uint8_t> touched = touched_cells(mesh, grid);
+  const auto times_at = [&](int i, int j, int k) {
+    return std::abs(winding.at(grid.index_to_world * Eigen::Vector3d(i, j, k)));
+  };
+  tbb::parallel_for(0, touched.grid.size.z() * touched.grid.size.y(), [&](int row) {
+    const int cell_j = row % touched.grid.size.y(), cell_k = row / touched.grid.size.y();
+    for (int cell_i = 0; cell_i < touched.grid.size.x(); ++cell_i) {
+      const Eigen::Vector3i first = cell_voxels * Eigen::Vector3i(cell_i, cell_j, cell_k);
+      const Eigen::Vector3i end = (first.array() + cell_voxels).min(grid.size.array());
+      if (first.x() >= end.x() || first.y() >= end.y() || first.z() >= end.z()) continue;
+      double low = std::numeric_limits<double>::infinity(), high = 0;
+      for (int corner = 0; corner < 8; ++corner) {
+        const double times = times_at(corner & 1 ? end.x() : first.x(), corner & 2 ? end.y() : first.y(),
+                                      corner & 4 ? end.z() : first.z());
+        low = std::min(low, times);
+        high = std::max(high, times);
+      }
+      const bool is_even = touched.at(cell_i, cell_j, cell_k) == 0 && (high < clear || low > 1 - clear);
+      for (int k = first.z(); k < end.z(); ++k)
+        for (int j = first.y(); j < end.y(); ++j)
+          for (int i = first.x(); i < end.x(); ++i)
+            inside[grid.offset(i, j, k)] = (is_even ? high : times_at(i, j, k)) > 0.5 ? 1 : 0;
+    }
   });
 }
 
 }  // namespace
 
-MeshInside inside_of(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid) {
+MeshInside inside_of(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid, MeshSign sign) {
   const Flaws flaws = flaws_of(mesh, topology);
   MeshInside result;
   result.closed = flaws.rims == 0;
   if (flaws.flipped > 0)
     result.remarks.push_back(fmt::format(
         "at {} edges the triangles disagree about the outside; the orientation was not relied on", flaws.flipped));
-  if (result.closed) {
+  if (result.closed && sign == MeshSign::by_crossings) {
     LabelVolume labels(grid);
     voxelize(mesh, 1, labels);
     result.inside.assign(labels.voxels.begin(), labels.voxels.end());
     return result;
   }
-  result.remarks.push_back(fmt::format(
-      "the mesh is not closed ({} edges at holes); inside is where its generalised winding number is beyond 1/2",
-      flaws.rims));
+  if (!result.closed)
+    result.remarks.push_back(fmt::format(
+        "the mesh is not closed ({} edges at holes); inside is where its generalised winding number is beyond 1/2",
+        flaws.rims));
   result.inside.resize(grid.voxel_count());
   mark_by_winding(turned_alike(mesh, topology), grid, result.inside);
   return result;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "recon/distance/mesh_distance.h"
 #include "recon/distance/mesh_topology.h"
 #include "recon/geometry/volume.h"
 
@@ -17,7 +18,7 @@ struct MeshInside {
 };
 
 /// By counting what rows cross where every edge has an even number of triangles, else by winding numbers of the
-/// triangles turned alike; see mesh_distance.
-MeshInside inside_of(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid);
+/// triangles turned alike, or by these for every mesh; see mesh_distance.
+MeshInside inside_of(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid, MeshSign sign);
 
 }  // namespace isostack

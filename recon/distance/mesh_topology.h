@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "recon/geometry/triangle_mesh.h"
+#include "recon/metrics/point_triangle.h"
 
 namespace isostack {
 
@@ -39,6 +40,10 @@ inline int corner(const TriangleMesh& mesh, int triangle, int number) {
 }
 inline const Eigen::Vector3d& vertex_mm(const TriangleMesh& mesh, int vertex) {
   return mesh.vertices_mm[static_cast<std::size_t>(vertex)];
+}
+inline Triangle triangle_of(const TriangleMesh& mesh, int triangle) {
+  return {vertex_mm(mesh, corner(mesh, triangle, 0)), vertex_mm(mesh, corner(mesh, triangle, 1)),
+          vertex_mm(mesh, corner(mesh, triangle, 2))};
 }
 
 }  // namespace isostack

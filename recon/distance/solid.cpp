@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
+#include "recon/distance/band_scan.h"
+#include "recon/distance/carry_outwards.h"
 #include "recon/geometry/errors.h"
 #include "recon/metrics/closest_point.h"
 
@@ -70,22 +74,49 @@ Grid distance_grid(const CsgSolid& solid, double spacing_mm, double margin_mm) {
   return grid;
 }
 
+namespace {
+
+/// Distances to the zero set within the band, infinite beyond it; the triangles they are to.
+CarriedDistances near_distances(const TriangleMesh& zero_set, const Grid& grid, double band_mm,
+                                const Progress& progress) {
+  const MeshTopology topology = topology_of(zero_set);
+  const MeshCells cells(zero_set, topology, grid, band_mm);
+  BandDistances band = scan_band(zero_set, topology, grid, band_mm, progress);
+  CarriedDistances known{std::move(band.mm), std::vector<int>(grid.voxel_count(), -1)};
+  for (std::size_t voxel = 0; voxel < known.triangle.size(); ++voxel)
+    if (band.element[voxel] >= 0) known.triangle[voxel] = cells.triangle_of(band.element[voxel]);
+  // This finds what rounding may have left out between two cells.
+  carry_outwards(zero_set, topology, grid, {}, band_mm, known);
+  return known;
+}
+
+}  // namespace
+
 SolidDistance solid_distance(const CsgSolid& solid, const Grid& grid, const SolidDistanceOptions& options,
                              const Progress& progress) {
   SolidDistance result;
   result.error_mm = checked_tolerance(solid, options.tolerance_mm);
-  const ClosestPoint zero_set(solid_samples(solid, result.error_mm));
+  const double band_mm = checked_band_mm(options.band_mm, grid);
+  const TriangleMesh zero_set = solid_samples(solid, result.error_mm);
+  const CarriedDistances near = near_distances(zero_set, grid, band_mm, progress);
+  const ClosestPoint anywhere(zero_set);
   result.distance_mm = Volume<float>(grid);
-  if (options.keep_closest) result.closest_points_mm.resize(grid.voxel_count());
+  if (options.keep_closest)
+    result.closest_points_mm.assign(grid.voxel_count(), Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
   for (int k = 0; k < grid.size.z(); ++k) {
     progress.report("distances", static_cast<double>(k) / grid.size.z());
     tbb::parallel_for(0, grid.size.y(), [&](int j) {
       for (int i = 0; i < grid.size.x(); ++i) {
         const Vector3d point = grid.index_to_world * Vector3d(i, j, k);
-        const Vector3d closest = zero_set.on_mesh(point);
-        const auto mm = static_cast<float>((closest - point).norm());
-        result.distance_mm.at(i, j, k) = implicit_value(solid, point) > 0 ? mm : -mm;
-        if (options.keep_closest) result.closest_points_mm[grid.offset(i, j, k)] = closest;
+        const std::size_t voxel = grid.offset(i, j, k);
+        std::optional<Vector3d> closest;
+        if (near.triangle[voxel] < 0 && options.extent == DistanceExtent::full) closest = anywhere.on_mesh(point);
+        if (near.triangle[voxel] >= 0 && options.keep_closest)
+          closest = closest_point_on_triangle(triangle_of(zero_set, near.triangle[voxel]), point);
+        const float mm = near.triangle[voxel] >= 0 ? near.mm[voxel]
+                                                   : static_cast<float>(closest ? (*closest - point).norm() : band_mm);
+        result.distance_mm.voxels[voxel] = implicit_value(solid, point) > 0 ? mm : -mm;
+        if (options.keep_closest && closest) result.closest_points_mm[voxel] = *closest;
       }
     });
   }

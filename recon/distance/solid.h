@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "recon/distance/mesh_distance.h"
 #include "recon/geometry/csg_solid.h"
 #include "recon/geometry/progress.h"
 #include "recon/geometry/triangle_mesh.h"
@@ -20,12 +21,14 @@ Eigen::AlignedBox3d box_of(const CsgSolid& solid);
 
 struct SolidDistanceOptions {
   double tolerance_mm = 0;  ///< how far distances may be off; 0: 2.5e-4 of the diagonal of the solid's box
+  double band_mm = 0;       ///< as MeshDistanceOptions have it
+  DistanceExtent extent = DistanceExtent::full;
   bool keep_closest = false;
 };
 
 struct SolidDistance {
   Volume<float> distance_mm;                       ///< positive inside
-  std::vector<Eigen::Vector3d> closest_points_mm;  ///< as the voxels; empty unless kept
+  std::vector<Eigen::Vector3d> closest_points_mm;  ///< as the voxels, NaN where none was looked for; empty unless kept
   double error_mm = 0;                             ///< the tolerance that was used, whatever the voxels' size
 };
 
@@ -33,19 +36,20 @@ struct SolidDistance {
 /// superellipsoid is sampled by triangles, halved until they are within the tolerance of it, and the rules of Tables
 /// 1–3 say which of them are on the solid's surface (the tables have negative inside; here a union is where the largest
 /// value is 0, an intersection where the smallest is, and a \ b is a ∩ ¬b); triangles that are partly on it are halved
-/// down to the tolerance. A tree of boxes finds the point of the zero set closest to each voxel, near and far. Signs
-/// are those of implicit_value.
+/// down to the tolerance. Within the band their cells are scan-converted (mesh_distance); beyond it, when the extent is
+/// full, a tree of boxes finds the point of the zero set closest to each voxel. Signs are those of implicit_value.
 ///
 /// The paper applies the rules to the closest points of every voxel, discards those that are not on the solid, and
-/// marches from the others; applied to the surface itself they leave none to discard, and the error is the sampling's
-/// at every voxel. Parts smaller than 1/64 of a superellipsoid may be missed; faces that two parts have exactly in
-/// common count as surface, also where they are inside a union.
+/// marches from the others; applied to the surface itself they leave none to discard. Marching is several times
+/// faster than the tree, but may miss the closest point by a share of a voxel: then the error would grow with the
+/// voxels (docs/distance.md has figures). Parts smaller than 1/64 of a superellipsoid may be missed; faces that two
+/// parts have exactly in common count as surface, also where they are inside a union.
 /// Throws InputError, naming the solid, when it is empty or one of its numbers is out of range.
 SolidDistance solid_distance(const CsgSolid& solid, const Grid& grid, const SolidDistanceOptions& options = {},
                              const Progress& progress = {});
 
-/// The zero set by itself: triangles (three vertices each, turned outwards or inwards) with gaps of at most the
-/// tolerance.
+/// The zero set by itself: triangles, turned outwards or inwards, with gaps of at most the tolerance. Neighbours on one
+/// superellipsoid share vertices.
 TriangleMesh solid_samples(const CsgSolid& solid, double tolerance_mm);
 
 /// A grid along the world's axes with cubic voxels round a solid and `margin_mm` more on every side.

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <map>
 
 #include "recon/distance/solid.h"
 #include "recon/geometry/errors.h"
@@ -106,9 +106,17 @@ class Sampler {
   }
 
   void emit(const Triangle& corners) {
-    const int first = static_cast<int>(samples_.vertices_mm.size());
-    samples_.vertices_mm.insert(samples_.vertices_mm.end(), corners.begin(), corners.end());
-    samples_.triangles.emplace_back(first, first + 1, first + 2);
+    Eigen::Vector3i triangle;
+    for (int i = 0; i < 3; ++i) triangle[i] = vertex_at(corners[static_cast<std::size_t>(i)]);
+    samples_.triangles.push_back(triangle);
+  }
+
+  /// Neighbours compute the corners they share from the same numbers.
+  int vertex_at(const Vector3d& point_mm) {
+    const auto [at, is_new] = vertices_.try_emplace({point_mm.x(), point_mm.y(), point_mm.z()},
+                                                    static_cast<int>(samples_.vertices_mm.size()));
+    if (is_new) samples_.vertices_mm.push_back(point_mm);
+    return at->second;
   }
 
   const CsgSolid& solid_;
@@ -116,6 +124,7 @@ class Sampler {
   const double tolerance_mm_;
   double largest_mm_;
   TriangleMesh& samples_;
+  std::map<std::array<double, 3>, int> vertices_;
 };
 
 }  // namespace

@@ -26,6 +26,7 @@ struct Nearest {
   const Eigen::Vector3d& direction;
   double best = std::numeric_limits<double>::infinity();
   Eigen::Vector3d closest = Eigen::Vector3d::Zero();
+  int closest_triangle = 0;
 
   double minimumOnVolume(const Box& box) const { return box.squaredExteriorDistance(point); }
   double minimumOnObject(int triangle) {
@@ -34,7 +35,7 @@ struct Nearest {
       return std::numeric_limits<double>::infinity();
     const Eigen::Vector3d candidate = closest_point_on_triangle(t, point);
     const double squared = (candidate - point).squaredNorm();
-    if (squared < best) best = squared, closest = candidate;
+    if (squared < best) best = squared, closest = candidate, closest_triangle = triangle;
     return squared;
   }
 };
@@ -80,11 +81,11 @@ ClosestPoint::ClosestPoint(const TriangleMesh& mesh) {
   tree_ = tree;
 }
 
-Eigen::Vector3d ClosestPoint::on_mesh(const Eigen::Vector3d& point_mm) const {
+ClosestPoint::Place ClosestPoint::nearest(const Eigen::Vector3d& point_mm) const {
   const Eigen::Vector3d any = Eigen::Vector3d::Zero();
   Nearest query{tree_->triangles, point_mm, any};
   Eigen::BVMinimize(tree_->boxes, query);
-  return query.closest;
+  return {query.closest, query.closest_triangle};
 }
 
 std::optional<Eigen::Vector3d> ClosestPoint::on_side_facing(const Eigen::Vector3d& direction,

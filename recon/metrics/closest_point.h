@@ -15,7 +15,12 @@ class ClosestPoint {
   /// Throws InputError on an empty mesh.
   explicit ClosestPoint(const TriangleMesh& mesh);
 
-  Eigen::Vector3d on_mesh(const Eigen::Vector3d& point_mm) const;
+  struct Place {
+    Eigen::Vector3d point_mm;
+    int triangle;
+  };
+  Place nearest(const Eigen::Vector3d& point_mm) const;
+  Eigen::Vector3d on_mesh(const Eigen::Vector3d& point_mm) const { return nearest(point_mm).point_mm; }
   /// On the triangles whose outward side looks the way `direction` does; none when there is no such triangle.
   std::optional<Eigen::Vector3d> on_side_facing(const Eigen::Vector3d& direction,
                                                 const Eigen::Vector3d& point_mm) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace isostack {
@@ -22,10 +23,11 @@ double side_of_edge(const Vector3d& a, const Vector3d& b, int index_a, int index
   return ordered ? area : -area;
 }
 
-/// Crossings of the mesh with the row lines of one k-plane, as (row, x in index units).
+/// Crossings of the mesh with the row lines of one k-plane.
 struct RowCrossing {
   int row;
-  double x;
+  double x;         ///< in index units
+  bool faces_back;  ///< the triangle's normal points towards smaller x: rows enter there (right-handed grids)
 };
 
 // Centres are shifted by an irrational fraction of a voxel so that no line passes through a vertex and a
@@ -45,13 +47,12 @@ void add_crossings(const Vector3d corner[3], const Eigen::Vector3i& t, double z,
     const double w2 = side_of_edge(corner[0], corner[1], t[0], t[1], y, z);
     const bool within = (w0 > 0 && w1 > 0 && w2 > 0) || (w0 < 0 && w1 < 0 && w2 < 0);
     if (within)
-      crossings.push_back({row, (w0 * corner[0].x() + w1 * corner[1].x() + w2 * corner[2].x()) / (w0 + w1 + w2)});
+      crossings.push_back(
+          {row, (w0 * corner[0].x() + w1 * corner[1].x() + w2 * corner[2].x()) / (w0 + w1 + w2), w0 < 0});
   }
 }
 
-void fill_rows(std::vector<RowCrossing>& crossings, int k, std::uint16_t label, LabelVolume& labels) {
-  std::sort(crossings.begin(), crossings.end(),
-            [](const RowCrossing& a, const RowCrossing& b) { return a.row != b.row ? a.row < b.row : a.x < b.x; });
+void fill_rows(const std::vector<RowCrossing>& crossings, int k, std::uint16_t label, LabelVolume& labels) {
   const int columns = labels.grid.size.x();
   for (std::size_t c = 0; c + 1 < crossings.size(); c += 2) {
     if (crossings[c].row != crossings[c + 1].row) {  // an open mesh: skip the unpaired crossing
@@ -64,14 +65,14 @@ void fill_rows(std::vector<RowCrossing>& crossings, int k, std::uint16_t label, 
   }
 }
 
-}  // namespace
-
-void voxelize(const TriangleMesh& mesh, std::uint16_t label, LabelVolume& labels) {
-  const Eigen::Affine3d world_to_index = labels.grid.index_to_world.inverse();
+/// visit(k, crossings) for every k-plane, crossings by row and along it; planes in parallel.
+template <class Visit>
+void for_each_plane(const TriangleMesh& mesh, const Grid& grid, Visit visit) {
+  const Eigen::Affine3d world_to_index = grid.index_to_world.inverse();
   std::vector<Vector3d> corners(mesh.vertices_mm.size());
   for (std::size_t v = 0; v < corners.size(); ++v) corners[v] = world_to_index * mesh.vertices_mm[v];
 
-  const int planes = labels.grid.size.z();
+  const int planes = grid.size.z();
   std::vector<std::vector<std::size_t>> triangles_of_plane(static_cast<std::size_t>(planes));
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
     double low = INFINITY, high = -INFINITY;
@@ -89,10 +90,46 @@ void voxelize(const TriangleMesh& mesh, std::uint16_t label, LabelVolume& labels
       const Eigen::Vector3i& t = mesh.triangles[n];
       const Vector3d corner[3] = {corners[static_cast<std::size_t>(t[0])], corners[static_cast<std::size_t>(t[1])],
                                   corners[static_cast<std::size_t>(t[2])]};
-      add_crossings(corner, t, k + shift_z, labels.grid.size.y(), crossings);
+      add_crossings(corner, t, k + shift_z, grid.size.y(), crossings);
     }
-    fill_rows(crossings, k, label, labels);
+    std::sort(crossings.begin(), crossings.end(),
+              [](const RowCrossing& a, const RowCrossing& b) { return a.row != b.row ? a.row < b.row : a.x < b.x; });
+    visit(k, crossings);
   });
+}
+
+/// The middle of the first stretch of a row, longer than a voxel, that is not enclosed once or not at all.
+std::optional<Vector3d> doubly_enclosed_in(const std::vector<RowCrossing>& crossings, int k, bool is_right_handed) {
+  constexpr double least_voxels = 1;
+  int times = 0;
+  for (std::size_t c = 0; c + 1 < crossings.size(); ++c) {
+    times += crossings[c].faces_back == is_right_handed ? 1 : -1;
+    if (crossings[c].row != crossings[c + 1].row) {
+      times = 0;
+      continue;
+    }
+    if ((times < 0 || times > 1) && crossings[c + 1].x - crossings[c].x > least_voxels)
+      return Vector3d(0.5 * (crossings[c].x + crossings[c + 1].x), crossings[c].row, k);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void voxelize(const TriangleMesh& mesh, std::uint16_t label, LabelVolume& labels) {
+  for_each_plane(mesh, labels.grid,
+                 [&](int k, const std::vector<RowCrossing>& crossings) { fill_rows(crossings, k, label, labels); });
+}
+
+std::optional<Vector3d> doubly_enclosed(const TriangleMesh& mesh, const Grid& grid) {
+  std::vector<std::optional<Vector3d>> found(static_cast<std::size_t>(grid.size.z()));
+  const bool is_right_handed = grid.index_to_world.linear().determinant() > 0;
+  for_each_plane(mesh, grid, [&](int k, const std::vector<RowCrossing>& crossings) {
+    found[static_cast<std::size_t>(k)] = doubly_enclosed_in(crossings, k, is_right_handed);
+  });
+  for (const auto& place : found)
+    if (place) return grid.index_to_world * *place;
+  return std::nullopt;
 }
 
 }  // namespace isostack

@@ -70,6 +70,7 @@ BlendedPair blended_pair(const std::vector<BoxedSolid>& solids, std::size_t firs
 
 Morph blend_morph(const std::vector<KeyShape>& shapes, const BlendMorphOptions& options, const Progress& progress) {
   require_morphable(shapes);
+  require_distances(shapes);
   for (const KeyDeformation& deformation : options.deformations) require_deformation(deformation, shapes);
   const Stopwatch watch;
   const SlicePose pose = common_pose(shapes);

@@ -6,8 +6,7 @@
 #include "recon/distance/mesh_distance.h"
 #include "recon/geometry/errors.h"
 #include "recon/geometry/volume.h"
-#include "recon/morphing/level_set_leg.h"
-#include "recon/morphing/level_set_run.h"
+#include "recon/morphing/lattice_leg.h"
 #include "recon/surface/extract_surface.h"
 #include "recon/surface/trilinear_field.h"
 #include "segmentation/lattice.h"
@@ -75,51 +74,21 @@ TriangleMesh surface_of(const Field<3>& phi, const Grid& grid, const Progress& p
       .mesh;
 }
 
-class BodyLeg : public LevelSetLeg {
+class BodyLeg : public LatticeLeg<3> {
  public:
-  BodyLeg(LegShapes shapes, const KeyShape& target, const Grid& grid, const Progress& progress)
-      : shapes_(std::move(shapes)),
-        grid_(grid),
-        run_(distances_at_nodes(shapes_.from, grid, progress), distances_at_nodes(target, grid, progress)) {}
-
-  bool overlaps() const override { return run_.overlaps(); }
-
-  std::vector<UnsharedPart> unshared() const override {
-    std::vector<UnsharedPart> parts;
-    for (const UnsharedRegion& region : run_.unshared()) {
-      const auto node = run_.target().position_of(region.deepest);
-      const Eigen::Vector3d place = grid_.index_to_world * Eigen::Vector3d(node[0], node[1], node[2]);
-      parts.push_back({.from = shapes_.from.name,
-                       .to = shapes_.to.name,
-                       .is_hollow = !region.is_inside,
-                       .place_mm = shapes_.transform.moved(place, 1),
-                       .content = grid_.voxel_volume_mm3() * static_cast<double>(region.nodes.size())});
-    }
-    return parts;
-  }
-
-  void seed_unshared() override { run_.seed_unshared(); }
-  void run(const Progress& progress) override { run_.run(shapes_.options, progress); }
-
-  LevelSetCourse course() const override {
-    LevelSetCourse course = run_.course();
-    course.from = shapes_.from.name;
-    course.to = shapes_.to.name;
-    return course;
-  }
-
-  std::vector<Shape> shapes_at(const std::vector<double>& shares, const Progress& progress) const override {
-    std::vector<Shape> shapes(shares.size(), TriangleMesh());
-    run_.fields_at(shares, progress, [&](std::size_t i, const Field<3>& phi) {
-      shapes[i] = shapes_.transform.moved(Shape(surface_of(phi, grid_, progress)), shares[i]);
-    });
-    return shapes;
-  }
+  BodyLeg(LegShapes shapes, const Grid& grid, Field<3> start, Field<3> target)
+      : LatticeLeg(std::move(shapes), std::move(start), std::move(target)), grid_(grid) {}
 
  private:
-  LegShapes shapes_;
+  Eigen::Vector3d place_in_target(const Position& node) const override {
+    return transform().moved((grid_.index_to_world * Eigen::Vector3d(node[0], node[1], node[2])).eval(), 1);
+  }
+  double cell_content() const override { return grid_.voxel_volume_mm3(); }
+  Shape shape_of(const Field<3>& phi, const Progress& progress) const override {
+    return surface_of(phi, grid_, progress);
+  }
+
   Grid grid_;
-  LevelSetRun<3> run_;
 };
 
 }  // namespace
@@ -127,7 +96,9 @@ class BodyLeg : public LevelSetLeg {
 std::shared_ptr<LevelSetLeg> body_leg(LegShapes shapes, const Progress& progress) {
   const KeyShape target = shapes.target();
   const Grid grid = grid_round({shapes.from, target}, shapes.options.resolution_mm, shapes.options.memory_limit_bytes);
-  return std::make_shared<BodyLeg>(std::move(shapes), target, grid, progress);
+  Field<3> start = distances_at_nodes(shapes.from, grid, progress);
+  return std::make_shared<BodyLeg>(std::move(shapes), grid, std::move(start),
+                                   distances_at_nodes(target, grid, progress));
 }
 
 }  // namespace isostack

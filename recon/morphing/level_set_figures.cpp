@@ -3,8 +3,7 @@
 
 #include "recon/geometry/pixel_lattice.h"
 #include "recon/morphing/figure_frames.h"
-#include "recon/morphing/level_set_leg.h"
-#include "recon/morphing/level_set_run.h"
+#include "recon/morphing/lattice_leg.h"
 #include "recon/morphing/signed_distance_stack.h"
 
 namespace isostack {
@@ -38,51 +37,19 @@ double value_between(const Field<2>& field, const Eigen::Vector2d& at_node) {
   return (1 - share.y()) * along_x(low[1]) + share.y() * along_x(low[1] + 1);
 }
 
-class FigureLeg : public LevelSetLeg {
+class FigureLeg : public LatticeLeg<2> {
  public:
-  FigureLeg(LegShapes shapes, const KeyShape& target)
-      : shapes_(std::move(shapes)),
-        frames_({shapes_.from, target}, shapes_.options.resolution_mm),
-        run_(distances_at_nodes(shapes_.from, frames_.lattice()), distances_at_nodes(target, frames_.lattice())) {}
-
-  bool overlaps() const override { return run_.overlaps(); }
-
-  std::vector<UnsharedPart> unshared() const override {
-    std::vector<UnsharedPart> parts;
-    const double pixel_mm2 = frames_.lattice().spacing_mm * frames_.lattice().spacing_mm;
-    for (const UnsharedRegion& region : run_.unshared()) {
-      const auto node = run_.target().position_of(region.deepest);
-      const Eigen::Vector2d place =
-          frames_.lattice().first_mm + frames_.lattice().spacing_mm * Eigen::Vector2d(node[0], node[1]);
-      parts.push_back({.from = shapes_.from.name,
-                       .to = shapes_.to.name,
-                       .is_hollow = !region.is_inside,
-                       .place_mm = frames_.pose().slice_to_world(shapes_.transform.moved(place, 1)),
-                       .content = pixel_mm2 * static_cast<double>(region.nodes.size())});
-    }
-    return parts;
-  }
-
-  void seed_unshared() override { run_.seed_unshared(); }
-  void run(const Progress& progress) override { run_.run(shapes_.options, progress); }
-
-  LevelSetCourse course() const override {
-    LevelSetCourse course = run_.course();
-    course.from = shapes_.from.name;
-    course.to = shapes_.to.name;
-    return course;
-  }
-
-  std::vector<Shape> shapes_at(const std::vector<double>& shares, const Progress& progress) const override {
-    std::vector<Shape> shapes(shares.size());
-    run_.fields_at(shares, progress, [&](std::size_t i, const Field<2>& phi) {
-      shapes[i] = shapes_.transform.moved(Shape(traced(phi)), shares[i]);
-    });
-    return shapes;
-  }
+  FigureLeg(LegShapes shapes, const FigureFrames& frames, Field<2> start, Field<2> target)
+      : LatticeLeg(std::move(shapes), std::move(start), std::move(target)), frames_(frames) {}
 
  private:
-  ContourSlice traced(const Field<2>& phi) const {
+  Eigen::Vector3d place_in_target(const Position& node) const override {
+    const PlaneLattice& lattice = frames_.lattice();
+    const Eigen::Vector2d place = lattice.first_mm + lattice.spacing_mm * Eigen::Vector2d(node[0], node[1]);
+    return frames_.pose().slice_to_world(transform().moved(place, 1));
+  }
+  double cell_content() const override { return frames_.lattice().spacing_mm * frames_.lattice().spacing_mm; }
+  Shape shape_of(const Field<2>& phi, const Progress& /*progress*/) const override {
     const PlaneLattice& lattice = frames_.lattice();
     const PlaneFunction function = [&](const Eigen::Matrix2Xd& points) {
       Eigen::VectorXd values(points.cols());
@@ -94,16 +61,17 @@ class FigureLeg : public LevelSetLeg {
     return frames_.trace(function, nodes.cast<double>());
   }
 
-  LegShapes shapes_;
   FigureFrames frames_;
-  LevelSetRun<2> run_;
 };
 
 }  // namespace
 
 std::shared_ptr<LevelSetLeg> figure_leg(LegShapes shapes) {
   const KeyShape target = shapes.target();
-  return std::make_shared<FigureLeg>(std::move(shapes), target);
+  const FigureFrames frames({shapes.from, target}, shapes.options.resolution_mm);
+  Field<2> start = distances_at_nodes(shapes.from, frames.lattice());
+  return std::make_shared<FigureLeg>(std::move(shapes), frames, std::move(start),
+                                     distances_at_nodes(target, frames.lattice()));
 }
 
 }  // namespace isostack

@@ -102,6 +102,7 @@ double resolution_for(const std::vector<KeyShape>& shapes, double asked_mm) {
 LevelSetPlan plan_level_set_morph(const std::vector<KeyShape>& given, const LevelSetMorphOptions& options,
                                   const Progress& progress) {
   require_morphable(given);
+  require_distances(given);
   require_options(given, options);
   const Stopwatch watch;
   const std::vector<KeyShape> shapes = in_one_pose(given);

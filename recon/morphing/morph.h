@@ -11,6 +11,7 @@
 #include "recon/morphing/key_places.h"
 #include "recon/morphing/shape.h"
 #include "recon/solvers/interpolation_solver.h"
+#include "recon/subdivision/fit_report.h"
 #include "recon/surface/scalar_field.h"
 
 namespace isostack {
@@ -22,8 +23,9 @@ struct MorphReport {
   std::size_t constraints = 0;  ///< solved for, of all key shapes together
   SolveReport solve;            ///< empty when the method solves nothing
   double constraint_seconds = 0, solve_seconds = 0;
-  double resolution_mm = 0;   ///< of the frames
-  std::size_t landmarks = 0;  ///< corresponding points that guided it
+  double resolution_mm = 0;            ///< of the frames
+  std::size_t landmarks = 0;           ///< corresponding points that guided it
+  std::vector<FitLevelReport> levels;  ///< of a subdivided interpolator
 };
 
 /// A morph of figures as one function of x, y (the frames' slice coordinates, mm) and t (mm, 0 at the first key
@@ -43,6 +45,8 @@ class MorphMethod {
   virtual std::vector<Shape> shapes_at(const std::vector<Eigen::VectorXd>& weights, const Progress& progress) const = 0;
   /// None when the method has no such function, or the shapes are not figures on a line.
   virtual std::optional<SpacetimeField> spacetime() const { return std::nullopt; }
+  /// Of a method that has the surface of figures in space-time as a mesh: slice coordinates and t, mm, outside out.
+  virtual std::optional<TriangleMesh> spacetime_mesh() const { return std::nullopt; }
 };
 
 /// Shapes between given shapes, whatever the method. A value: copies share what was solved.
@@ -63,6 +67,7 @@ class Morph {
   std::vector<Shape> frames(std::size_t count, const Progress& progress = {}) const;
 
   std::optional<SpacetimeField> spacetime() const { return method_->spacetime(); }
+  std::optional<TriangleMesh> spacetime_mesh() const { return method_->spacetime_mesh(); }
   const KeyPlaces& places() const { return places_; }
   const MorphReport& report() const { return report_; }
   const MorphMethod& method() const { return *method_; }

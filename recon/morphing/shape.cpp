@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "recon/constraints/mesh_constraints.h"
+#include "recon/distance/mended_mesh.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack {
@@ -79,6 +80,15 @@ void require_morphable(const std::vector<KeyShape>& shapes) {
       named.name = name_of(shape);
       require_closed(named);
     }
+  }
+}
+
+void require_distances(const std::vector<KeyShape>& shapes) {
+  for (const KeyShape& shape : shapes) {
+    if (dimension_of(shape.shape) == 2) continue;
+    TriangleMesh named = std::get<TriangleMesh>(shape.shape);
+    named.name = name_of(shape);
+    require_no_overlap(named);
   }
 }
 

@@ -38,6 +38,10 @@ int dimension_of(const Shape& shape);
 /// axes and spacing, or all closed meshes with the outside out, and none is empty.
 void require_morphable(const std::vector<KeyShape>& shapes);
 
+/// Throws InputError, naming the shape and the place, when a body's parts overlap (require_no_overlap): for methods
+/// that go by signed distances.
+void require_distances(const std::vector<KeyShape>& shapes);
+
 /// The pose that figures are morphed in, that of the first; world for bodies.
 SlicePose common_pose(const std::vector<KeyShape>& shapes);
 

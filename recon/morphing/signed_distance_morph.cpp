@@ -29,6 +29,7 @@ Eigen::VectorXd DistanceWeights::along(double coordinate) const { return weights
 Morph signed_distance_morph(const std::vector<KeyShape>& shapes, const SignedDistanceMorphOptions& options,
                             const Progress& progress) {
   require_morphable(shapes);
+  require_distances(shapes);
   if (options.between == AlongNormal::cubic && options.layout != KeyLayout::line)
     throw InputError("morph", "a cubic spline runs along a line, not between corners",
                      "put the shapes on a line, or interpolate linearly");

@@ -1,15 +1,12 @@
-// morph_blend [DIR]: the shapes of Pasko, Pasko & Kunii 2004 (two discs and a cross, a cube and two tori that cross)
+// morph_blend: the shapes of Pasko, Pasko & Kunii 2004 (two discs and a cross, a cube and two tori that cross)
 // and two disjoint discs; how much their bounded space-time blends change from frame to frame, with half-cylinders that
-// end flat and smoothed; with DIR the shapes as discs.json, cross.json, cube.ply and tori.ply for `isostack morph`.
+// end flat and smoothed. Files of the shapes: isostack_make_key_shapes.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
-#include "io/contours/contour_files.h"
-#include "io/meshes/write_mesh.h"
 #include "recon/geometry/stopwatch.h"
 #include "recon/metrics/frame_quality.h"
 #include "recon/metrics/mesh_measures.h"
@@ -36,6 +33,14 @@ KeyShape cross() {
   return figure("cross", 100, [](const Eigen::Vector2d& q) {
     const Eigen::Vector2d p = (q - Eigen::Vector2d(50, 50)).cwiseAbs();
     return std::max(std::min(43 - p.x(), 12 - p.y()), std::min(12 - p.x(), 43 - p.y()));
+  });
+}
+
+/// 12 mm wide, 86 mm long, about (50, 50).
+KeyShape bar(int axis) {
+  return figure("bar", 100, [axis](const Eigen::Vector2d& q) {
+    const Eigen::Vector2d p = (q - Eigen::Vector2d(50, 50)).cwiseAbs();
+    return std::min(43 - p[axis], 6 - p[1 - axis]);
   });
 }
 
@@ -68,13 +73,6 @@ TriangleMesh two_tori() {
   return extract_surface(field, surface_seeds(field, options.bounds, 3), options).mesh;
 }
 
-void write_figure(const KeyShape& shape, const std::filesystem::path& path) {
-  ContourStack organ;
-  organ.name = shape.name;
-  organ.slices = {std::get<ContourSlice>(shape.shape)};
-  write_contours({organ}, path);
-}
-
 void compare(const std::string& name, const std::vector<KeyShape>& shapes, std::size_t count, double resolution_mm) {
   double flat_change = 0;
   for (const HalfCylinderEnds ends : {HalfCylinderEnds::flat, HalfCylinderEnds::smoothed}) {
@@ -104,21 +102,15 @@ void compare(const std::string& name, const std::vector<KeyShape>& shapes, std::
 }  // namespace
 }  // namespace isostack::benchmarks
 
-int main(int argc, char** argv) {
+int main() {
   using namespace isostack;
   using namespace isostack::benchmarks;
   const KeyShape cube{.name = "cube", .shape = testing_support::box_mesh({-28, -28, -28}, {28, 28, 28})};
   const KeyShape tori{.name = "tori", .shape = two_tori()};
-  if (argc > 1) {
-    const std::filesystem::path folder = argv[1];
-    write_figure(two_discs(), folder / "discs.json");
-    write_figure(cross(), folder / "cross.json");
-    write_mesh(std::get<TriangleMesh>(cube.shape), folder / "cube.ply");
-    write_mesh(std::get<TriangleMesh>(tori.shape), folder / "tori.ply");
-    return 0;
-  }
   compare("discs to cross", {two_discs(), cross()}, 41, 1);
   compare("disjoint discs", {disc("a", {20, 50}, 15), disc("b", {75, 40}, 20)}, 41, 1);
+  compare("X to O", {testing_support::x_figure(), testing_support::o_figure()}, 41, 1);
+  compare("thin bars", {bar(0), bar(1)}, 41, 1);
   compare("cube to two tori", {cube, tori}, 41, 5);
   return 0;
 }

@@ -59,6 +59,16 @@ TEST(BlendMorph, SmoothedEndsTakeTheJumpOutOfDiscsToCross) {
   EXPECT_LT(largest_change(smoothed), 0.2 * smoothed.back());
 }
 
+/// Thin figures want their ends tapered by more than their own thickness.
+TEST(BlendMorph, ThinFiguresTaperWithAWiderSmoothing) {
+  const std::vector<KeyShape> shapes{testing_support::x_figure(), testing_support::o_figure()};  // bars of 16 mm
+  BlendMorphOptions options = coarse(HalfCylinderEnds::smoothed);
+  options.smoothing = BlendParameters{.a0 = 11, .a1 = 1, .a2 = 1, .a3 = 1};
+  const auto smoothed = areas_of(blend_morph(shapes, options).frames(41));
+  const auto flat = areas_of(blend_morph(shapes, coarse(HalfCylinderEnds::flat)).frames(41));
+  EXPECT_GT(largest_change(flat), 3 * largest_change(smoothed));  // measured: 4 times; 2 by default
+}
+
 TEST(BlendMorph, EndFramesAreTheGivenShapesAndNoneBetweenIsEmpty) {
   const std::vector<KeyShape> shapes = discs_and_cross();
   const auto frames = blend_morph(shapes, coarse(HalfCylinderEnds::smoothed)).frames(21);

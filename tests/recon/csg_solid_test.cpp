@@ -83,6 +83,25 @@ TEST(CsgSolid, DistancesKeepTheirBoundAtThreeVoxelSizes) {
   }
 }
 
+TEST(CsgSolid, BandHoldsWhatIsNearAndTheBandBeyond) {
+  const CsgSolid solid = combined(Kind::difference, {ball({0, 0, 0}, 14), ball({15, 0, 0}, 10)});
+  const Grid grid = distance_grid(solid, 1.5, 4);
+  const SolidDistance full = solid_distance(solid, grid, {.tolerance_mm = 0.05});
+  const SolidDistance band =
+      solid_distance(solid, grid, {.tolerance_mm = 0.05, .band_mm = 2.5, .extent = DistanceExtent::band});
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < grid.voxel_count(); ++i) {
+    const float mm = full.distance_mm.voxels[i];
+    if (std::abs(mm) < 2.5f) {
+      ++near;
+      ASSERT_EQ(band.distance_mm.voxels[i], mm);
+    } else {
+      ASSERT_EQ(band.distance_mm.voxels[i], std::copysign(2.5f, mm));
+    }
+  }
+  EXPECT_GT(near, 2000u);  // 5 mm round 2,300 mm², voxels of 3.4 mm³
+}
+
 TEST(CsgSolid, NearlySquareSuperellipsoidUnderAnAffineMap) {
   CsgSolid solid;
   solid.radii_mm = {10, 6, 8};

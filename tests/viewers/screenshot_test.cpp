@@ -90,7 +90,7 @@ class Screenshot : public testing::Test {
 
 TEST_F(Screenshot, IsWrittenAsPngOfTheAskedSize) {
   const std::filesystem::path png = std::filesystem::path(testing::TempDir()) / "isostack_screenshot.png";
-  save_screenshot({.title = "Sphere", .surfaces = {sphere_mesh(far_away_mm_)}}, png,
+  save_screenshot({.title = "Sphere", .surfaces = {{.mesh = sphere_mesh(far_away_mm_)}}}, png,
                   {.width_pixels = 400, .height_pixels = 300});
   std::ifstream file(png, std::ios::binary);
   std::string head(24, '\0');
@@ -101,7 +101,7 @@ TEST_F(Screenshot, IsWrittenAsPngOfTheAskedSize) {
 }
 
 TEST_F(Screenshot, HasAWhiteGroundAroundACentredSurface) {
-  const Picture picture = draw({.surfaces = {sphere_mesh(far_away_mm_)}});
+  const Picture picture = draw({.surfaces = {{.mesh = sphere_mesh(far_away_mm_)}}});
   ASSERT_EQ(picture.rgb.size(), 3U * width * height);
   for (const int y : {0, 150})
     for (const int x : {0, 399}) EXPECT_EQ(colour_at(picture, x, y), white_) << x << ", " << y;
@@ -109,14 +109,14 @@ TEST_F(Screenshot, HasAWhiteGroundAroundACentredSurface) {
 }
 
 TEST_F(Screenshot, SphereFillsFourFifthsOfTheHeight) {
-  const Picture picture = draw({.surfaces = {sphere_mesh(far_away_mm_)}});
+  const Picture picture = draw({.surfaces = {{.mesh = sphere_mesh(far_away_mm_)}}});
   int covered = 0;
   for (int y = 0; y < height; ++y) covered += colour_at(picture, 200, y) != white_;
   EXPECT_NEAR(covered, 0.8 * height, 4);  // blurred edges: a pixel or two at either end
 }
 
 TEST_F(Screenshot, SurfaceIsShaded) {
-  const Picture picture = draw({.surfaces = {sphere_mesh(far_away_mm_)}});
+  const Picture picture = draw({.surfaces = {{.mesh = sphere_mesh(far_away_mm_)}}});
   double darkest = 1, brightest = 0;
   for (int y = 60; y < 240; ++y) {
     darkest = std::min(darkest, colour_at(picture, 200, y).mean());
@@ -135,15 +135,15 @@ TEST_F(Screenshot, ContoursLieVisiblyOnTheSurface) {
     EXPECT_GT(contour.x(), contour.z());
     return count;
   };
-  EXPECT_EQ(contour_pixels(draw({.surfaces = {sphere_mesh(far_away_mm_)}})), 0);
+  EXPECT_EQ(contour_pixels(draw({.surfaces = {{.mesh = sphere_mesh(far_away_mm_)}}})), 0);
   // Ten circles; the visible half of each is about as long as it is wide, 60 to 240 pixels.
-  EXPECT_GT(
-      contour_pixels(draw({.surfaces = {sphere_mesh(far_away_mm_)}, .contours = {sphere_contours(far_away_mm_)}})),
-      600);
+  EXPECT_GT(contour_pixels(draw({.surfaces = {{.mesh = sphere_mesh(far_away_mm_)}},
+                                 .contours = {{.stack = sphere_contours(far_away_mm_)}}})),
+            600);
 }
 
 TEST_F(Screenshot, ContoursAloneAreDrawn) {
-  const Picture picture = draw({.contours = {sphere_contours(far_away_mm_)}});
+  const Picture picture = draw({.contours = {{.stack = sphere_contours(far_away_mm_)}}});
   int ink = 0;
   for (int y = 30; y < 270; ++y)
     for (int x = 80; x < 320; ++x) ink += colour_at(picture, x, y).z() < 0.6;
@@ -153,7 +153,7 @@ TEST_F(Screenshot, ContoursAloneAreDrawn) {
 TEST_F(Screenshot, SeenFromTheFrontThePatientsLeftIsAtTheRight) {
   Slice slice = two_tone_slice();
   slice.pose.y_axis = {0, 0, -1};  // a coronal slice
-  const Picture picture = draw({.slices = {slice}}, {.view_from = {0, -1, 0}});
+  const Picture picture = draw({.slices = {{.image = slice}}}, {.look = {.view_from = {0, -1, 0}}});
   EXPECT_LT(colour_at(picture, 150, 150).mean(), 0.05);  // the 1st and 99th percentile are black and white
   EXPECT_GT(colour_at(picture, 250, 150).mean(), 0.95);
 }
@@ -162,20 +162,20 @@ TEST_F(Screenshot, SeenFromBelowAnteriorIsUp) {
   Slice slice = two_tone_slice();
   slice.pixels.topRows(10).setConstant(100);  // rows grow towards posterior: the anterior half is bright
   slice.pixels.bottomRows(10).setConstant(-50);
-  const Picture picture = draw({.slices = {slice}}, {.view_from = {0, 0, -1}});
+  const Picture picture = draw({.slices = {{.image = slice}}}, {.look = {.view_from = {0, 0, -1}}});
   EXPECT_GT(colour_at(picture, 200, 90).mean(), 0.95);
   EXPECT_LT(colour_at(picture, 200, 210).mean(), 0.05);
 }
 
 TEST_F(Screenshot, DarkGroundIsDark) {
-  const Picture picture = draw({.surfaces = {sphere_mesh(far_away_mm_)}}, {.dark = true});
+  const Picture picture = draw({.surfaces = {{.mesh = sphere_mesh(far_away_mm_)}}}, {.look = {.dark = true}});
   EXPECT_LT(colour_at(picture, 0, 0).maxCoeff(), 0.2);
 }
 
 TEST_F(Screenshot, SaysNothingOnItsOwn) {
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
-  draw({.surfaces = {sphere_mesh(far_away_mm_)}, .contours = {sphere_contours(far_away_mm_)}});
+  draw({.surfaces = {{.mesh = sphere_mesh(far_away_mm_)}}, .contours = {{.stack = sphere_contours(far_away_mm_)}}});
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
@@ -183,7 +183,7 @@ TEST_F(Screenshot, SaysNothingOnItsOwn) {
 TEST_F(Screenshot, MissingFolderIsAnInputErrorNamingIt) {
   const auto png = std::filesystem::path(testing::TempDir()) / "isostack_no_such_folder" / "a.png";
   try {
-    save_screenshot({.surfaces = {sphere_mesh(far_away_mm_)}}, png);
+    save_screenshot({.surfaces = {{.mesh = sphere_mesh(far_away_mm_)}}}, png);
     FAIL() << "wrote into a folder that does not exist";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("isostack_no_such_folder"), std::string::npos);
@@ -208,7 +208,7 @@ TEST(ScreenshotWithoutDisplay, IsAnInputErrorWithARemedy) {
   for (const char* display : {static_cast<const char*>(nullptr), ":4711"}) {
     const DisplayVariable variable(display);
     try {
-      save_screenshot({.surfaces = {sphere_mesh({0, 0, 0})}}, png);
+      save_screenshot({.surfaces = {{.mesh = sphere_mesh({0, 0, 0})}}}, png);
       FAIL() << "drew without a display";
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find("xvfb-run"), std::string::npos);
@@ -219,17 +219,18 @@ TEST(ScreenshotWithoutDisplay, IsAnInputErrorWithARemedy) {
 
 TEST(ScreenshotOfNothing, IsAnInputError) {
   EXPECT_THROW(save_screenshot({}, "unused.png"), InputError);
-  EXPECT_THROW(save_screenshot({.contours = {ContourStack{"empty", {ContourSlice{}}}}}, "unused.png"), InputError);
+  EXPECT_THROW(save_screenshot({.contours = {{.stack = {"empty", {ContourSlice{}}}}}}, "unused.png"), InputError);
 }
 
 TEST(ScreenshotOfBrokenInput, IsAnInputError) {
   TriangleMesh mesh = sphere_mesh({0, 0, 0});
   mesh.triangles.emplace_back(0, 1, 1'000'000);
-  EXPECT_THROW(save_screenshot({.surfaces = {mesh}}, "unused.png"), InputError);
+  EXPECT_THROW(save_screenshot({.surfaces = {{.mesh = mesh}}}, "unused.png"), InputError);
   mesh = sphere_mesh({0, 0, 0});
   mesh.vertices_mm[5].x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(save_screenshot({.surfaces = {mesh}}, "unused.png"), InputError);
-  EXPECT_THROW(save_screenshot({.surfaces = {sphere_mesh({0, 0, 0})}}, "unused.png", {.width_pixels = 0}), InputError);
+  EXPECT_THROW(save_screenshot({.surfaces = {{.mesh = mesh}}}, "unused.png"), InputError);
+  EXPECT_THROW(save_screenshot({.surfaces = {{.mesh = sphere_mesh({0, 0, 0})}}}, "unused.png", {.width_pixels = 0}),
+               InputError);
 }
 
 }  // namespace

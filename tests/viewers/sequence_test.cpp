@@ -28,33 +28,33 @@ class Sequence : public testing::Test {
 };
 
 TEST_F(Sequence, FramedOnTheSamePointsBodiesKeepTheirScale) {
-  ScreenshotOptions options{.width_pixels = 200, .height_pixels = 200, .marks = false};
-  options.framed_points_mm = ball(40).vertices_mm;
-  const int large = inked(draw_picture({.surfaces = {ball(40)}}, options));
-  const int small = inked(draw_picture({.surfaces = {ball(20)}}, options));
+  ScreenshotOptions options{.width_pixels = 200, .height_pixels = 200, .look = {.marks = false}};
+  options.look.framed_points_mm = ball(40).vertices_mm;
+  const int large = inked(draw_picture({.surfaces = {{.mesh = ball(40)}}}, options));
+  const int small = inked(draw_picture({.surfaces = {{.mesh = ball(20)}}}, options));
   EXPECT_NEAR(small, large / 4.0, 0.02 * large);  // a pixel of the rim
-  options.framed_points_mm.clear();
-  EXPECT_NEAR(inked(draw_picture({.surfaces = {ball(20)}}, options)), large, 0.02 * large);
+  options.look.framed_points_mm.clear();
+  EXPECT_NEAR(inked(draw_picture({.surfaces = {{.mesh = ball(20)}}}, options)), large, 0.02 * large);
 }
 
 TEST_F(Sequence, MarksCanBeLeftOut) {
   ScreenshotOptions options{.width_pixels = 200, .height_pixels = 200};
-  const int with_marks = inked(draw_picture({.surfaces = {ball(40)}}, options));
-  options.marks = false;
-  EXPECT_LT(inked(draw_picture({.surfaces = {ball(40)}}, options)), with_marks - 100);
+  const int with_marks = inked(draw_picture({.surfaces = {{.mesh = ball(40)}}}, options));
+  options.look.marks = false;
+  EXPECT_LT(inked(draw_picture({.surfaces = {{.mesh = ball(40)}}}, options)), with_marks - 100);
 }
 
 TEST_F(Sequence, WhatIsInsideShowsThroughATranslucentSurface) {
-  Scene nested{.surfaces = {ball(40), ball(15)}};
-  ScreenshotOptions options{.width_pixels = 200, .height_pixels = 200, .marks = false};
+  Scene nested{.surfaces = {{.mesh = ball(40)}, {.mesh = ball(15)}}};
+  ScreenshotOptions options{.width_pixels = 200, .height_pixels = 200, .look = {.marks = false}};
   const auto middle = [&](const Scene& scene) {
     const Picture picture = draw_picture(scene, options);
     return Eigen::Vector3i(picture.rgb[3 * (100 * 200 + 100)], picture.rgb[3 * (100 * 200 + 100) + 1],
                            picture.rgb[3 * (100 * 200 + 100) + 2]);
   };
-  const Scene alone{.surfaces = {ball(40)}};
+  Scene alone{.surfaces = {{.mesh = ball(40)}}};
   EXPECT_EQ(middle(nested), middle(alone));  // solid: nothing of the inner ball
-  options.surface_opacity = 0.4;
+  for (Scene* scene : {&nested, &alone}) scene->surfaces[0].opacity = 0.4;
   EXPECT_GT((middle(nested) - middle(alone)).cwiseAbs().maxCoeff(), 20);  // another hue
 }
 

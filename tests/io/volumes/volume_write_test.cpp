@@ -46,6 +46,19 @@ TEST(VolumeWrite, StoredTypesStayInEveryFormat) {
   expect_kept(stored<double>("double"));
 }
 
+TEST(VolumeWrite, DistancesAreMarkedAsSuchInEveryFormat) {
+  const TemporaryFolder folder;
+  Volume<float> distances(oblique_grid());
+  distances.voxels.front() = -1.5f;
+  for (const char* name : {"a.nii", "a.nii.gz", "a.nrrd", "a.nhdr", "a.mha", "a.mhd"}) {
+    write_volume(stored_distances_of(distances), folder / name);
+    EXPECT_TRUE(read_stored_volume(folder / name).header.is_distance) << name;
+    EXPECT_EQ(read_volume(folder / name).voxels, distances.voxels) << name;
+    write_volume(stored_volume_of(distances), folder / name);
+    EXPECT_FALSE(read_stored_volume(folder / name).header.is_distance) << name;
+  }
+}
+
 std::vector<double> values_in(const StoredVolume& volume) {
   std::vector<double> values;
   for_each_value(volume, [&](std::size_t, double value) { values.push_back(value); });
