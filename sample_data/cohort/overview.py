@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+"""overview.py OUT TABLE: OUT/cases.csv and OUT/overview.html from the results of all cases of the table.
+
+A value far from the cohort's others is marked: more than 3.5 robust standard deviations (1.4826 times the median distance
+from the median) from the median, from five finished cases on.
+"""
+import csv
+import html
+import json
+import os
+import pathlib
+import statistics
+import sys
+
+COLUMNS = {
+    "volume_cm3": "volume, cm³",
+    "area_cm2": "area, cm²",
+    "components": "parts",
+    "genus": "handles",
+    "residual_mm": "largest distance of a contour point, mm",
+    "contradiction_mm": "largest contradiction of slices, mm",
+    "peak_mb": "memory, MB",
+}
+LIMIT = 3.5
+
+
+def largest(values):
+    values = [value for value in values if isinstance(value, (int, float))]
+    return max(values) if values else None
+
+
+def row_of(name, result):
+    row = {"id": name, "status": result["status"], "message": result.get("message", "")}
+    if result["status"] != "done":
+        return row
+    surfaces = result["report"]["surfaces"]
+    measures = [surface["surface"] for surface in surfaces]
+    row["volume_cm3"] = sum(m["volume_mm3"] for m in measures) / 1000
+    row["area_cm2"] = sum(m["area_mm2"] for m in measures) / 100
+    row["components"] = sum(m["components"] for m in measures)
+    row["genus"] = sum(m["genus"] or 0 for m in measures)
+    row["residual_mm"] = largest(s["contour_residual_mm"]["largest"] for s in surfaces)
+    row["contradiction_mm"] = largest(s["contradictions"]["largest_mismatch_mm"] for s in surfaces)
+    row["peak_mb"] = (largest(s["peak_bytes"] for s in surfaces) or 0) / 2**20
+    return row
+
+
+def mark_outliers(rows):
+    done = [row for row in rows if row["status"] == "done"]
+    for row in rows:
+        row["outliers"] = []
+    for column in COLUMNS:
+        values = [row[column] for row in done if row[column] is not None]
+        if len(values) < 5:
+            continue
+        median = statistics.median(values)
+        spread = 1.4826 * statistics.median(abs(value - median) for value in values)
+        least = 1e-9 + 0.01 * abs(median)  # equal values do not make everything else an outlier
+        for row in done:
+            if row[column] is not None and abs(row[column] - median) > LIMIT * max(spread, least):
+                row["outliers"].append(column)
+
+
+def replaced(path, text):
+    temporary = path.with_name(path.name + ".tmp")
+    temporary.write_text(text, encoding="utf-8")
+    os.replace(temporary, path)
+
+
+def write_table(rows, path):
+    temporary = path.with_name(path.name + ".tmp")
+    with open(temporary, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, ["id", "status", *COLUMNS, "outliers", "message"], extrasaction="ignore")
+        writer.writeheader()
+        for row in rows:
+            writer.writerow({**row, "outliers": " ".join(row["outliers"])})
+    os.replace(temporary, path)
+
+
+def cell(row, column):
+    value = row.get(column)
+    text = "" if value is None else f"{value:.4g}" if isinstance(value, float) else html.escape(str(value))
+    return f'<td class="{"outlier" if column in row["outliers"] else ""}">{text}</td>'
+
+
+def page_of(rows):
+    failed = sum(row["status"] != "done" for row in rows)
+    marked = sum(bool(row["outliers"]) for row in rows)
+    head = "".join(f"<th>{html.escape(title)}</th>" for title in ("case", "picture", *COLUMNS.values(), "remark"))
+    body = ""
+    for row in rows:
+        name = html.escape(row["id"])
+        picture = f'<img src="cases/{name}/picture.png" alt="{name}" loading="lazy">' if row["status"] == "done" else ""
+        remark = html.escape(row["message"]) or ", ".join(f"{COLUMNS[c]}: far from the others" for c in row["outliers"])
+        body += (f'<tr class="{row["status"]}"><td><a href="cases/{name}/result.json">{name}</a></td><td>{picture}</td>'
+                 + "".join(cell(row, column) for column in COLUMNS) + f"<td>{remark}</td></tr>\n")
+    return f"""<!doctype html>
+<html lang="en"><meta charset="utf-8"><title>isostack cohort</title>
+<style>
+body {{ font-family: sans-serif; margin: 2em; }}
+table {{ border-collapse: collapse; }}
+th, td {{ border-bottom: 1px solid #ccc; padding: 0.3em 0.7em; text-align: left; vertical-align: middle; }}
+img {{ width: 160px; }}
+tr.failed {{ background: #fbe3e1; }}
+td.outlier {{ background: #fff0b8; font-weight: bold; }}
+</style>
+<h1>{len(rows)} cases</h1>
+<p>{len(rows) - failed} finished, {failed} failed, {marked} with values far from the others (yellow). Research software, not for clinical use.</p>
+<table><tr>{head}</tr>
+{body}</table></html>
+"""
+
+
+def main():
+    out, table = pathlib.Path(sys.argv[1]), sys.argv[2]
+    with open(table, newline="", encoding="utf-8-sig") as file:
+        names = [row["id"] for row in csv.DictReader(file)]
+    rows = [row_of(name, json.loads((out / "cases" / name / "result.json").read_text())) for name in names]
+    mark_outliers(rows)
+    write_table(rows, out / "cases.csv")
+    replaced(out / "overview.html", page_of(rows))
+
+
+if __name__ == "__main__":
+    main()
