@@ -71,6 +71,8 @@ WindowContent read_content(ViewInput input, const ViewWindow& options, const Win
   if (!known.frames.empty()) {
     for (SceneSurface& surface : content.scene.surfaces) content.frames.push_back(std::move(surface.mesh));
     content.scene.surfaces.clear();
+    if (!input.has_title)
+      content.scene.title = known.frames.front().filename().string() + " to " + known.frames.back().filename().string();
   }
   for (const fs::path& path : known.beside) content.beside.push_back(read_mesh(path));
   content.reconstruct = options.reconstruct;

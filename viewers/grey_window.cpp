@@ -43,7 +43,7 @@ Image<std::uint8_t> grey_levels(const Image<float>& pixels, const GreyWindow& wi
   const float scale = 255.F / std::max(window.high - window.low, 1e-6F);
   for (Eigen::Index i = 0; i < pixels.size(); ++i) {
     const float value = (pixels.data()[i] - window.low) * scale;
-    grey.data()[i] = value > 0 ? static_cast<std::uint8_t>(std::min(value, 255.F) + 0.5F) : std::uint8_t{0};
+    grey.data()[i] = value > 0 ? static_cast<std::uint8_t>(std::lround(std::min(value, 255.F))) : std::uint8_t{0};
   }
   return grey;
 }

@@ -21,7 +21,7 @@ vtkSmartPointer<vtkActor> unlit_actor(vtkPolyData* polydata, const Eigen::Vector
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -4);  // in front of the image and surface they lie on
   mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-8);
-  const auto actor = vtkSmartPointer<vtkActor>::New();
+  auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetColor(colour.x(), colour.y(), colour.z());
@@ -35,7 +35,7 @@ vtkSmartPointer<vtkActor> curves_actor(const SlicePose& pose, const std::vector<
                                        const Eigen::Vector3d& colour, double width_pixels) {
   ContourStack stack;
   stack.slices.push_back({.name = {}, .pose = pose, .contours = contours});
-  const auto actor = unlit_actor(polydata_of(stack), colour);
+  auto actor = unlit_actor(polydata_of(stack), colour);
   actor->GetProperty()->SetLineWidth(static_cast<float>(width_pixels));
   return actor;
 }
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkActor> dots_actor(const std::vector<Eigen::Vector3d>& points_
   vtkNew<vtkPolyData> polydata;
   polydata->SetPoints(points);
   polydata->SetVerts(dots);
-  const auto actor = unlit_actor(polydata, colour);
+  auto actor = unlit_actor(polydata, colour);
   actor->GetProperty()->SetPointSize(static_cast<float>(size_pixels));
   actor->GetProperty()->RenderPointsAsSpheresOn();
   return actor;

@@ -9,6 +9,7 @@
 
 #include "recon/geometry/errors.h"
 #include "viewers/camera_presets.h"
+#include "viewers/scene_title.h"
 
 namespace isostack {
 
@@ -33,14 +34,16 @@ WindowModel::WindowModel(WindowContent content)
       scene_(std::move(content.scene)),
       session_file_(std::move(content.session_file)),
       picture_file_(std::move(content.picture_file)),
-      reconstruct_(std::move(content.reconstruct)),
+      reconstruct_(content.reconstruct),
       planes_(view_planes(scene_)),
       edits_(stacks_of(scene_)),
       grey_(automatic_grey(scene_)) {
   for (std::size_t organ = 0; organ < scene_.contours.size(); ++organ)
     surface_of_organ_.push_back(scene_.surfaces.size() == scene_.contours.size() ? static_cast<int>(organ) : -1);
-  beside_.title = scene_.title;
   beside_.surfaces = scene_surfaces(std::move(content.beside));
+  std::vector<std::string> beside_names;
+  for (const std::filesystem::path& path : session_.beside) beside_names.push_back(path.filename().string());
+  beside_.title = title_of(beside_, beside_names);
   if (!beside_.surfaces.empty()) beside_.contours = scene_.contours;
   first_frame_ = scene_.surfaces.size();
   morph_ = Playback(content.frames.size());
