@@ -21,8 +21,8 @@ namespace isostack {
 
 namespace {
 
-/// Without a graphics card some five million triangles are drawn in a second, fewer while work goes on: this leaves time
-/// for images and text within 100 ms.
+/// Without a graphics card some five million triangles are drawn in a second, fewer while work goes on: this leaves
+/// time for images and text within 100 ms.
 constexpr std::size_t most_while_moving = 120'000;
 
 vtkNew<vtkLookupTable> lookup_table(const ColourRange& range) {
