@@ -9,11 +9,19 @@
 
 #include "recon/geometry/errors.h"
 #include "viewers/camera_presets.h"
+#include "viewers/palette.h"
 #include "viewers/scene_title.h"
 
 namespace isostack {
 
 namespace {
+
+Color surface_color(std::size_t index) {
+  const auto level = [&](int channel) {
+    return static_cast<std::uint8_t>(std::lround(255 * organ_colours(index).surface[channel]));
+  };
+  return {level(0), level(1), level(2)};
+}
 
 std::vector<ContourStack> stacks_of(const Scene& scene) {
   std::vector<ContourStack> organs;
@@ -47,7 +55,10 @@ WindowModel::WindowModel(WindowContent content)
   if (!beside_.surfaces.empty()) beside_.contours = scene_.contours;
   first_frame_ = scene_.surfaces.size();
   morph_ = Playback(content.frames.size());
-  for (SceneSurface& frame : scene_surfaces(std::move(content.frames))) scene_.surfaces.push_back(std::move(frame));
+  for (SceneSurface& frame : scene_surfaces(std::move(content.frames))) {
+    if (!frame.mesh.color) frame.mesh.color = surface_color(first_frame_);  // one shape that changes, not many
+    scene_.surfaces.push_back(std::move(frame));
+  }
   surface_revisions_.assign(scene_.surfaces.size(), 1);
   take_up(ViewState(session_.state));
 }
@@ -243,6 +254,7 @@ std::string WindowModel::status_text() {
     if (task.state == TaskState::running)
       text += fmt::format("\n{}: {:.0f} %, {:.0f} s   (Esc stops it)", task.stage.empty() ? "starting" : task.stage,
                           100 * task.fraction, task.seconds);
+  if (morph_.count() > 0) text += fmt::format("\nframe {} of {}", morph_.position() + 1, morph_.count());
   if (replayed_contours())
     text += fmt::format("\nlevel set at {:.2f} mm, state {}/{}", replay_.states[replay_player_.position()].time_mm,
                         replay_player_.position() + 1, replay_player_.count());

@@ -284,6 +284,8 @@ TEST(WindowModel, PlaysAMorph) {
   EXPECT_EQ(shown(), std::vector<std::size_t>{0});
   model.act(ViewAction::next_frame);
   EXPECT_EQ(shown(), std::vector<std::size_t>{1});
+  EXPECT_NE(model.status_text().find("frame 2 of 3"), std::string::npos) << model.status_text();
+  EXPECT_EQ(model.scene().surfaces[0].mesh.color, model.scene().surfaces[2].mesh.color);
   model.act(ViewAction::play);
   model.tick(0.1);  // one frame at 12 a second
   EXPECT_EQ(shown(), std::vector<std::size_t>{2});
