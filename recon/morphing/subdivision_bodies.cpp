@@ -118,12 +118,6 @@ std::unique_ptr<MorphMethod> subdivided_bodies(const std::vector<KeyShape>& shap
   const Stopwatch watch;
   SimplicialMesh mesh = maker.fitted(report, progress);
   report.solve_seconds = watch.seconds();
-  report.solve.solver = "conjugate gradients, level by level";
-  for (const FitLevelReport& level : report.levels) {
-    report.solve.iterations += level.iterations;
-    report.solve.converged = report.solve.converged && level.converged;
-    report.solve.largest_residual = level.residual_mm;
-  }
   return std::make_unique<SubdividedBodies>(std::move(mesh), shapes, key_times_mm, options.warp);
 }
 

@@ -176,13 +176,7 @@ std::unique_ptr<MorphMethod> subdivided_figures(const std::vector<KeyShape>& sha
   const Stopwatch watch;
   FittedMesh fitted = maker.fitted(report, progress);
   report.solve_seconds = watch.seconds();
-  report.solve.solver = "conjugate gradients, level by level";
   report.levels = fitted.levels;
-  for (const FitLevelReport& level : fitted.levels) {
-    report.solve.iterations += level.iterations;
-    report.solve.converged = report.solve.converged && level.converged;
-    report.solve.largest_residual = level.residual_mm;
-  }
   return std::make_unique<SubdividedFigures>(std::move(fitted.mesh), shapes, key_times_mm, options.warp);
 }
 

@@ -24,6 +24,15 @@ void require_options(const SubdivisionMorphOptions& options, int dimension) {
   require_warp(options.warp, dimension);
 }
 
+void sum_up_levels(MorphReport& report) {
+  report.solve.solver = "conjugate gradients, level by level";
+  for (const FitLevelReport& level : report.levels) {
+    report.solve.iterations += level.iterations;
+    report.solve.converged = report.solve.converged && level.converged;
+    report.solve.largest_residual = level.residual_mm;
+  }
+}
+
 }  // namespace
 
 Morph subdivision_morph(const std::vector<KeyShape>& shapes, const SubdivisionMorphOptions& options,
@@ -36,6 +45,7 @@ Morph subdivision_morph(const std::vector<KeyShape>& shapes, const SubdivisionMo
   report.spacing_mm = options.spacing_mm.value_or(box_of(shapes).sizes().maxCoeff() / 2);
   const auto make_method = dimension_of(shapes.front().shape) == 2 ? subdivided_figures : subdivided_bodies;
   std::unique_ptr<MorphMethod> method = make_method(shapes, options, places, report.spacing_mm, report, progress);
+  sum_up_levels(report);
   return Morph(std::move(method), std::move(places), std::move(report));
 }
 
