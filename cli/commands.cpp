@@ -13,6 +13,7 @@ void add_commands(CLI::App& app, Session& session) {
   add_convert(app, session);
   add_morph(app, session);
   add_run(app, session);
+  add_batch(app, session);
 }
 
 }  // namespace isostack::cli

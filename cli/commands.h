@@ -15,6 +15,7 @@ void add_morph(CLI::App& app, Session& session);
 void add_view(CLI::App& app, Session& session);
 void add_convert(CLI::App& app, Session& session);
 void add_run(CLI::App& app, Session& session);
+void add_batch(CLI::App& app, Session& session);
 
 /// All of them.
 void add_commands(CLI::App& app, Session& session);

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 
-#include "io/file_listing.h"
+#include "cli/json_document.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack::cli {
@@ -21,11 +19,12 @@ struct Place {
   std::string name;  ///< "feature 2"
 };
 
+constexpr const char* remedy =
+    R"(write {"format": "isostack-features", "version": 1, "features": [{"from": {"shape": 0, )"
+    R"("vertex": 3}, "to": {"shape": 1, "place_mm": [x, y, z]}}, ...]}; docs/subdivision.md has the rest)";
+
 [[noreturn]] void refuse(const Place& where, const std::string& problem) {
-  throw InputError(
-      where.path.string(), where.name.empty() ? problem : where.name + " " + problem,
-      R"(write {"format": "isostack-features", "version": 1, "features": [{"from": {"shape": 0, )"
-      R"("vertex": 3}, "to": {"shape": 1, "place_mm": [x, y, z]}}, ...]}; docs/subdivision.md has the rest)");
+  throw InputError(where.path.string(), where.name.empty() ? problem : where.name + " " + problem, remedy);
 }
 
 double number_in(const Json& object, const char* key, const Place& where) {
@@ -87,22 +86,10 @@ TimeWarp warp_in(const Json& json, const Place& where) {
   return warp;
 }
 
-Json parsed(const std::filesystem::path& path) {
-  require_exists(path);
-  std::ifstream file(path);
-  try {
-    return Json::parse(file);
-  } catch (const Json::exception&) {
-    refuse({path, ""}, "it is not valid JSON");
-  }
-}
-
 }  // namespace
 
 FeaturesFile read_features(const std::filesystem::path& path, const std::vector<KeyShape>& shapes) {
-  const Json file = parsed(path);
-  if (!file.is_object() || file.value("format", Json()) != "isostack-features" || file.value("version", Json()) != 1)
-    refuse({path, ""}, "it is not a features file of version 1");
+  const Json file = read_json_document(path, "isostack-features", remedy);
   FeaturesFile result;
   const Json features = file.value("features", Json::array()), transitions = file.value("transitions", Json::array());
   if (!features.is_array() || !transitions.is_array())

@@ -59,6 +59,7 @@ void add_slice_choice(CLI::App& command, InputOptions& options) {
   auto* every = command.add_option("--every", options.every, "Use every K-th slice only")->check(CLI::PositiveNumber);
   command.add_option("--slices", options.slices, "Use these slices only (numbers from 0)")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->excludes(every);
 }
 

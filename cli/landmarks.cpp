@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 
-#include "io/file_listing.h"
+#include "cli/json_document.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack::cli {
@@ -15,10 +13,12 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr const char* remedy =
+    R"(write {"format": "isostack-landmarks", "version": 1, "landmarks": [{"from_mm": [x, y, z], )"
+    R"("to_mm": [x, y, z]}, ...]})";
+
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& problem) {
-  throw InputError(path.string(), problem,
-                   R"(write {"format": "isostack-landmarks", "version": 1, "landmarks": [{"from_mm": [x, y, z], )"
-                   R"("to_mm": [x, y, z]}, ...]})");
+  throw InputError(path.string(), problem, remedy);
 }
 
 Eigen::Vector3d point_in(const Json& landmark, const char* key, const std::filesystem::path& path, std::size_t number) {
@@ -29,22 +29,10 @@ Eigen::Vector3d point_in(const Json& landmark, const char* key, const std::files
   return {point[0].get<double>(), point[1].get<double>(), point[2].get<double>()};
 }
 
-Json parsed(const std::filesystem::path& path) {
-  require_exists(path);
-  std::ifstream file(path);
-  try {
-    return Json::parse(file);
-  } catch (const Json::exception&) {
-    refuse(path, "it is not valid JSON");
-  }
-}
-
 }  // namespace
 
 std::vector<LandmarkPair> read_landmarks(const std::filesystem::path& path) {
-  const Json file = parsed(path);
-  if (!file.is_object() || file.value("format", Json()) != "isostack-landmarks" || file.value("version", Json()) != 1)
-    refuse(path, "it is not a landmark file of version 1");
+  const Json file = read_json_document(path, "isostack-landmarks", remedy);
   const Json list = file.value("landmarks", Json());
   if (!list.is_array() || list.empty()) refuse(path, "it holds no landmarks");
   std::vector<LandmarkPair> landmarks;

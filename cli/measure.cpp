@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -18,10 +17,8 @@
 #include "io/meshes/read_mesh.h"
 #include "io/volumes/volume_files.h"
 #include "recon/geometry/errors.h"
-#include "recon/metrics/overlap.h"
+#include "recon/metrics/compare.h"
 #include "recon/metrics/surface_distance.h"
-#include "recon/metrics/voxel_surface.h"
-#include "recon/metrics/voxelize.h"
 
 namespace isostack::cli {
 
@@ -36,13 +33,6 @@ struct MeasureCommand {
   LeaveOutCommand leave_out;
 };
 
-/// A body (read_body), or a label volume (voxels of the chosen label, or all that are not 0) with its voxels' surface.
-struct Shape {
-  TriangleMesh mesh;
-  MeshMeasures measures;
-  std::optional<LabelVolume> labels;
-};
-
 /// The voxels of the organs that --label asks for, all without it, as 1.
 LabelVolume read_voxels_of(const std::filesystem::path& path, const std::string& label) {
   const LabelMap map = read_labels(path);
@@ -55,25 +45,15 @@ LabelVolume read_voxels_of(const std::filesystem::path& path, const std::string&
   return voxels;
 }
 
-Shape read_shape(const std::filesystem::path& path, const MeasureCommand& command, Session& session) {
-  Shape shape;
+/// A body (read_body), or a label volume: voxels of the chosen label, or all that are not 0.
+MeasuredBody read_shape(const std::filesystem::path& path, const MeasureCommand& command, Session& session) {
   require_exists(path);
   std::optional<TriangleMesh> body = read_body(path, command.bodies, session);
   if (!body && find_format(path, &Format::read_mesh) != nullptr) body = read_mesh(path);  // throws: no mesh in it
-  if (body) {
-    shape.mesh = std::move(*body);
-    shape.measures = measure(shape.mesh);
-    return shape;
-  }
-  shape.labels = read_voxels_of(path, command.input.label);
-  shape.mesh = voxel_surface(*shape.labels);
-  if (shape.mesh.triangles.empty())
-    throw InputError(path.string(), "no voxel has the label", "choose a label that is there");
-  shape.measures = measure(shape.mesh);
-  return shape;
+  return body ? measured(std::move(*body)) : measured(read_voxels_of(path, command.input.label), path.string());
 }
 
-void describe(const std::filesystem::path& path, const Shape& shape, const char* key, Session& session) {
+void describe(const std::filesystem::path& path, const MeasuredBody& shape, const char* key, Session& session) {
   session.text += path.string() + "\n" + to_text(shape.measures);
   session.result[key] = to_json(shape.measures);
   if (!shape.measures.watertight())
@@ -84,53 +64,21 @@ void describe(const std::filesystem::path& path, const Shape& shape, const char*
   session.text += fmt::format("  voxels      {} (the area is that of their faces)\n", count);
 }
 
-/// A cubic grid round both meshes with about 200 voxels along the diagonal.
-Grid common_grid(const TriangleMesh& a, const TriangleMesh& b) {
-  Eigen::AlignedBox3d box;
-  for (const TriangleMesh* mesh : {&a, &b})
-    for (const Eigen::Vector3d& v : mesh->vertices_mm) box.extend(v);
-  const double spacing_mm = box.diagonal().norm() / 200;
-  Grid grid;
-  grid.size = (box.sizes() / spacing_mm).array().ceil().cast<int>() + 2;
-  grid.index_to_world = Eigen::Translation3d(box.min()) * Eigen::Scaling(spacing_mm);
-  return grid;
-}
-
-LabelVolume on_grid(const Shape& shape, const Grid& grid) {
-  if (shape.labels) return *shape.labels;
-  LabelVolume labels(grid);
-  voxelize(shape.mesh, 1, labels);
-  return labels;
-}
-
-double diagonal_mm(const TriangleMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& v : mesh.vertices_mm) box.extend(v);
-  return box.diagonal().norm();
-}
-
-Overlap overlap_of(const Shape& a, const Shape& b) {
-  const Grid grid = a.labels ? a.labels->grid : b.labels ? b.labels->grid : common_grid(a.mesh, b.mesh);
-  if (a.labels && b.labels && !a.labels->grid.index_to_world.isApprox(b.labels->grid.index_to_world, 1e-4))
-    throw InputError("measure", "the two label volumes lie on different grids",
-                     "put one on the other's grid with --grid");
-  return overlap(on_grid(a, grid), on_grid(b, grid));
-}
-
 /// A minus B, and that in per cent of B.
-void tell_difference(const std::string& name, const std::string& unit, double a, double b, Session& session) {
+void tell_difference(const std::string& name, const std::string& unit, double difference, double b, Session& session) {
   nlohmann::json& entry = session.result["comparison"];
-  const double percent = 100 * (a - b) / b;
-  entry[name + "_difference_" + unit] = a - b;
+  const double percent = 100 * difference / b;
+  entry[name + "_difference_" + unit] = difference;
   entry[name + "_difference_percent"] = percent;
-  session.text += fmt::format("  {:<11} {:+.3f} {} ({:+.2f} %)\n", name, a - b, unit, percent);
+  session.text += fmt::format("  {:<11} {:+.3f} {} ({:+.2f} %)\n", name, difference, unit, percent);
 }
 
-void compare(const Shape& a, const Shape& b, const SurfaceDistanceOptions& options, Session& session) {
-  const Overlap shared = overlap_of(a, b);
-  const SurfaceDistance distance = surface_distance(a.mesh, b.mesh, options);
-  const double diagonal = diagonal_mm(b.mesh);
-  session.result["comparison"] = {{"dice", shared.dice},
+void tell_comparison(const MeasuredBody& a, const MeasuredBody& b, const SurfaceDistanceOptions& options,
+                     Session& session) {
+  const BodyComparison found = compare(a, b, options);
+  const SurfaceDistance& distance = found.distance;
+  const double diagonal = found.diagonal_mm;
+  session.result["comparison"] = {{"dice", found.dice},
                                   {"samples", options.samples},
                                   {"mean_distance_mm", distance.mean_mm},
                                   {"percentile95_distance_mm", distance.percentile95_mm},
@@ -140,23 +88,24 @@ void compare(const Shape& a, const Shape& b, const SurfaceDistanceOptions& optio
                                   {"percentile95_distance_of_diagonal", distance.percentile95_mm / diagonal},
                                   {"largest_distance_of_diagonal", distance.largest_mm / diagonal}};
   session.text += "first minus second\n";
-  tell_difference("volume", "mm3", a.measures.volume_mm3, b.measures.volume_mm3, session);
-  if (!a.labels && !b.labels) tell_difference("area", "mm2", a.measures.area_mm2, b.measures.area_mm2, session);
+  tell_difference("volume", "mm3", found.volume_difference_mm3, b.measures.volume_mm3, session);
+  if (found.area_difference_mm2)
+    tell_difference("area", "mm2", *found.area_difference_mm2, b.measures.area_mm2, session);
   session.text += fmt::format(
       "  Dice        {:.4f}\n  distance    mean {:.3f} mm, 95 % {:.3f} mm, largest {:.3f} mm\n"
       "              {:.3f}, {:.3f}, {:.3f} % of the second's diagonal\n",
-      shared.dice, distance.mean_mm, distance.percentile95_mm, distance.largest_mm, 100 * distance.mean_mm / diagonal,
+      found.dice, distance.mean_mm, distance.percentile95_mm, distance.largest_mm, 100 * distance.mean_mm / diagonal,
       100 * distance.percentile95_mm / diagonal, 100 * distance.largest_mm / diagonal);
 }
 
 void run_measure(const MeasureCommand& command, Session& session) {
   const std::filesystem::path& path = command.input.paths.front();
-  const Shape shape = read_shape(path, command, session);
+  const MeasuredBody shape = read_shape(path, command, session);
   describe(path, shape, "shape", session);
   if (command.against.empty()) return;
-  const Shape against = read_shape(command.against, command, session);
+  const MeasuredBody against = read_shape(command.against, command, session);
   describe(command.against, against, "against", session);
-  compare(shape, against, command.distance, session);
+  tell_comparison(shape, against, command.distance, session);
 }
 
 void add_leave_out_options(CLI::App& command, MeasureCommand& options) {

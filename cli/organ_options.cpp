@@ -2,18 +2,16 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <limits>
 #include <optional>
 
 #include "cli/input_options.h"
 #include "io/volumes/volume_files.h"
 #include "recon/geometry/errors.h"
+#include "segmentation/organ_rules.h"
 
 namespace isostack::cli {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void add_rules(CLI::App& command, OrganInput& options) {
   CLI::Option* level = command.get_option("--level");
@@ -127,19 +125,10 @@ StartStep read_labels_step(const std::string& text) {
   return step;
 }
 
-void add_rule_step(const InputOptions& options, std::vector<StartStep>& steps) {
-  const OrganInput& organ = options.organ;
-  if (!options.level.empty())
-    steps.push_back(
-        RangeStep{options.darker ? GreyRange{-infinity, level_of(options)} : GreyRange{level_of(options), infinity}});
-  else if (!organ.range.empty() && !(organ.range[0] < organ.range[1]))
-    throw InputError("--range", "its lower value is not below the upper", "give LO,HI");
-  else if (!organ.range.empty())
-    steps.push_back(RangeStep{{organ.range[0], organ.range[1]}});
-  else if (organ.otsu || organ.otsu_darker)
-    steps.push_back(OtsuStep{organ.otsu});
-  else if (organ.spread > 0)
-    steps.push_back(SeedRangeStep{organ.spread});
+DiffusionOptions diffusion_from(const std::vector<double>& values) {
+  DiffusionOptions diffusion{.contrast = values[0]};
+  if (values.size() > 1) diffusion.steps = static_cast<int>(values[1]);
+  return diffusion;
 }
 
 }  // namespace
@@ -152,33 +141,32 @@ void add_organ_options(CLI::App& command, OrganInput& options) {
 
 OrganOptions organ_options(const InputOptions& options) {
   const OrganInput& organ = options.organ;
-  OrganOptions result;
-  if (options.segmentation.gaussian_sigma_pixels > 0)
-    result.start.push_back(GaussianStep{options.segmentation.gaussian_sigma_pixels});
-  if (!organ.diffusion.empty()) {
-    DiffusionOptions diffusion{.contrast = organ.diffusion[0]};
-    if (organ.diffusion.size() > 1) diffusion.steps = static_cast<int>(organ.diffusion[1]);
-    result.start.push_back(DiffusionStep{diffusion});
+  OrganRules rules{.darker = options.darker,
+                   .otsu = organ.otsu,
+                   .otsu_darker = organ.otsu_darker,
+                   .gaussian_sigma_pixels = options.segmentation.gaussian_sigma_pixels,
+                   .open_mm = organ.open_mm,
+                   .close_mm = organ.close_mm,
+                   .hull = organ.hull,
+                   .fill_holes = options.segmentation.fill_holes,
+                   .largest = options.segmentation.largest,
+                   .propagate_mm = organ.propagate_mm,
+                   .in_volume = organ.in_volume,
+                   .evolution = organ.evolution};
+  if (!options.level.empty()) rules.level = level_of(options);
+  if (!organ.range.empty()) {
+    if (!(organ.range[0] < organ.range[1]))
+      throw InputError("--range", "its lower value is not below the upper", "give LO,HI");
+    rules.range = GreyRange{organ.range[0], organ.range[1]};
   }
-  add_rule_step(options, result.start);
-  bool is_connected = false;
-  for (const std::string& text : organ.start) {
-    result.start.push_back(text.starts_with("labels:") ? read_labels_step(text) : parse_start_step(text));
-    is_connected = is_connected || std::holds_alternative<ConnectedStep>(result.start.back());
-  }
-  if (organ.open_mm > 0) result.start.push_back(OpenStep{organ.open_mm});
-  if (!organ.seeds.empty() && !is_connected) result.start.push_back(ConnectedStep{});
-  if (organ.close_mm > 0) result.start.push_back(CloseStep{organ.close_mm});
-  if (organ.hull) result.start.push_back(HullStep{});
-  if (options.segmentation.fill_holes) result.start.push_back(FillHolesStep{});
-  if (options.segmentation.largest) result.start.push_back(LargestStep{});
-  for (const std::string& text : organ.seeds) result.seeds.push_back(parse_seed(text));
-  result.propagate_mm = organ.propagate_mm;
-  result.in_volume = organ.in_volume;
-  result.evolution = organ.evolution;
-  result.evolution.curvature = options.segmentation.curvature;
-  result.evolution.max_steps = options.segmentation.max_steps;
-  return result;
+  if (organ.spread > 0) rules.spread = organ.spread;
+  if (!organ.diffusion.empty()) rules.diffusion = diffusion_from(organ.diffusion);
+  for (const std::string& text : organ.start)
+    rules.start.push_back(text.starts_with("labels:") ? read_labels_step(text) : parse_start_step(text));
+  for (const std::string& text : organ.seeds) rules.seeds.push_back(parse_seed(text));
+  rules.evolution.curvature = options.segmentation.curvature;
+  rules.evolution.max_steps = options.segmentation.max_steps;
+  return isostack::organ_options(rules);
 }
 
 }  // namespace isostack::cli

@@ -8,6 +8,7 @@
 
 #include "cli/alignment.h"
 #include "cli/commands.h"
+#include "cli/dry_run.h"
 #include "cli/input_options.h"
 #include "cli/json_report.h"
 #include "cli/label_outputs.h"
@@ -17,8 +18,10 @@
 #include "io/meshes/write_mesh.h"
 #include "io/volumes/volume_files.h"
 #include "recon/geometry/errors.h"
+#include "recon/geometry/peak_memory.h"
 #include "recon/metrics/choose_kernel.h"
 #include "recon/metrics/voxelize.h"
+#include "recon/predicted_memory.h"
 #include "recon/reconstruct_all.h"
 
 namespace isostack::cli {
@@ -38,6 +41,7 @@ struct ReconstructCommand {
   bool interpolate = false;
   double tolerance_mm = -1;  ///< negative: not given
   double memory_gb = 8;
+  bool dry_run = false;
   ReconstructOptions options;
 };
 
@@ -50,12 +54,7 @@ ReconstructOptions resolved(const ReconstructCommand& command) {
                                               : SolverChoice::automatic;
   if (command.tolerance_mm >= 0) options.tolerance_mm = command.tolerance_mm;
   options.accept_lost_contours = options.accept_residual;
-  if (command.interpolate) {
-    options.softening.strength = 0;
-    options.sample_spacing_pixels = 0.2;
-    options.section_tolerance_pixels = 0.1;
-    options.section_rounds = 6;
-  }
+  if (command.interpolate) options = interpolating(options);
   options.caps = command.caps == "flat" ? Caps::flat : command.caps == "open" ? Caps::open : Caps::round;
   options.memory_limit_bytes = static_cast<std::size_t>(command.memory_gb * 1e9);
   return options;
@@ -79,21 +78,45 @@ void choose_kernel(const std::vector<ContourStack>& organs, ReconstructOptions& 
   }
 }
 
+SliceStack paper_images(const ReconstructCommand& command, Session& session) {
+  if (command.input.level.empty())
+    throw InputError("--preset turk-obrien", "the paper's recipe works on grey images", "give --level V");
+  return chosen_slices(read_images(command.input, session), command.input);
+}
+
+std::vector<ContourStack> input_organs(const ReconstructCommand& command, Session& session) {
+  std::vector<ContourStack> organs = aligned(drawn_organs_from(command.input, session), command.alignment, session);
+  for (const ContourStack& organ : organs) session.result["organs"].push_back(to_json(organ));
+  return organs;
+}
+
 std::vector<Reconstruction> reconstruct_inputs(const ReconstructCommand& command, Session& session) {
   ReconstructOptions options = resolved(command);
-  std::vector<Reconstruction> surfaces;
-  if (command.preset == "turk-obrien") {
-    if (command.input.level.empty())
-      throw InputError("--preset turk-obrien", "the paper's recipe works on grey images", "give --level V");
-    const SliceStack images = chosen_slices(read_images(command.input, session), command.input);
-    surfaces.push_back(reconstruct_turk_obrien(images, level_of(command.input), options, session.progress()));
-    return surfaces;
-  }
-  const std::vector<ContourStack> organs =
-      aligned(drawn_organs_from(command.input, session), command.alignment, session);
-  for (const ContourStack& organ : organs) session.result["organs"].push_back(to_json(organ));
+  if (command.preset == "turk-obrien")
+    return {
+        reconstruct_turk_obrien(paper_images(command, session), level_of(command.input), options, session.progress())};
+  const std::vector<ContourStack> organs = input_organs(command, session);
   if (command.kernel == "auto") choose_kernel(organs, options, session);
   return reconstruct_all(organs, options, session.progress());
+}
+
+/// What a run would take. With --kernel auto that of r³, which takes the most.
+void predict(ReconstructCommand command, Session& session) {
+  command.alignment.aligned.clear();
+  const ReconstructOptions options = resolved(command);
+  MemoryPrediction prediction;
+  std::size_t peak = 0;
+  if (command.preset == "turk-obrien") {
+    const SliceStack images = paper_images(command, session);
+    peak = peak_memory_bytes();
+    prediction = predict_memory_turk_obrien(images, level_of(command.input), options, resident_memory_bytes());
+  } else {
+    const std::vector<ContourStack> organs = input_organs(command, session);
+    peak = peak_memory_bytes();
+    prediction = predict_memory(organs, options, resident_memory_bytes());
+  }
+  prediction.process_bytes = std::max(prediction.process_bytes, peak);
+  describe(prediction, session);
 }
 
 void note_what_was_left_out(const Reconstruction& surface, double thin_mm, Session& session) {
@@ -163,6 +186,7 @@ void write_label_grid(const std::vector<Reconstruction>& surfaces, const Reconst
 }
 
 void run_reconstruct(const ReconstructCommand& command, Session& session) {
+  if (command.dry_run) return predict(command, session);
   for (const std::filesystem::path& output : command.outputs) require_writable(output, OutputPurpose::kSurfaceOrLabels);
   const std::vector<Reconstruction> surfaces = reconstruct_inputs(command, session);
   for (const Reconstruction& surface : surfaces) {
@@ -253,13 +277,18 @@ void add_reconstruct(CLI::App& app, Session& session) {
           "-o,--output", options->outputs,
           "Surface (.stl, .ply, .obj, .vtp, .gltf, .glb) or labels (.nii, .nii.gz, .nrrd, .mha); may be repeated")
       ->check(written_path())
-      ->required()
+      ->allow_extra_args(false)
       ->type_name("OUT");
+  command->add_flag("--dry-run", options->dry_run,
+                    "Only tell what a run would take: constraints, solver, memory of the whole program");
   command->add_option("--grid", options->grid, "Volume whose grid label output uses (default: the input's)")
       ->check(read_path())
       ->type_name("REF");
   command->callback([options, &session] {
     require_options_that_agree(*options);
+    if (!options->dry_run && options->outputs.empty()) throw CLI::RequiredError("--output");
+    if (options->dry_run && !session.record.empty())
+      throw CLI::ValidationError("--dry-run", "writes nothing that could be recorded; leave out --record");
     session.run = [options, &session] { run_reconstruct(*options, session); };
   });
 }

@@ -53,6 +53,7 @@ void add_run(CLI::App& app, Session& session) {
       ->type_name("FILE");
   command
       ->add_option("--input", options->inputs, "Another file or folder for an input of the pipeline (may be repeated)")
+      ->allow_extra_args(false)
       ->type_name("NAME=PATH")
       ->check([](const std::string& text) {
         return text.find('=') > 0 && text.find('=') < text.size() - 1 ? "" : "expected NAME=PATH";

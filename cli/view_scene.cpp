@@ -7,6 +7,7 @@
 #include <charconv>
 #include <set>
 
+#include "cli/body_inputs.h"
 #include "cli/label_inputs.h"
 #include "cli/path_roles.h"
 #include "io/contours/contour_files.h"
@@ -14,6 +15,7 @@
 #include "io/formats.h"
 #include "io/meshes/read_mesh.h"
 #include "io/read_slices.h"
+#include "io/solid_file.h"
 #include "recon/geometry/errors.h"
 #include "viewers/scene_points.h"
 #include "viewers/scene_title.h"
@@ -32,14 +34,17 @@ MeshAxes axes_of(const ViewInput& options) { return options.input_axes == "ras" 
 /// Adds what the input holds; returns what it is called in the title.
 std::string read_into(Scene& scene, const fs::path& path, const ViewInput& options, Session& session) {
   require_exists(path);
-  // .vtp holds surfaces or contours; a surface is what most programs write.
-  if (fs::is_regular_file(path) && holds_contours(path)) {
+  const bool is_file = fs::is_regular_file(path);
+  // .json holds solids or contours, .vtp contours or surfaces.
+  if (is_file && (holds_solid(path) || is_distance_volume(path, {}))) {
+    scene.surfaces.push_back({.mesh = *read_body(path, {}, session)});
+  } else if (is_file && holds_contours(path)) {
     ContourFile file = read_contour_file(path, options.input.read_options());
     for (const std::string& warning : file.warnings) session.note(warning);
     for (ContourStack& organ : file.organs) scene.contours.push_back({.stack = std::move(organ)});
   } else if (find_format(path, &Format::read_mesh) != nullptr) {
     scene.surfaces.push_back({.mesh = read_mesh(path, axes_of(options))});
-  } else if (fs::is_regular_file(path) && holds_named_organs(path)) {
+  } else if (is_file && holds_named_organs(path)) {
     InputOptions labels = options.input;
     labels.paths = {path};
     for (ContourStack& organ : organs_in_labels(labels, session)) scene.contours.push_back({.stack = std::move(organ)});
@@ -147,7 +152,9 @@ void share_range(Scene& scene) {
 }  // namespace
 
 void add_view_input(CLI::App& command, ViewInput& options) {
-  command.add_option("IN", options.input.paths, "Surfaces, contours, images")->check(read_path())->required();
+  command.add_option("IN", options.input.paths, "Surfaces, solids, distance volumes, contours, images")
+      ->check(read_path())
+      ->required();
   add_source_options(command, options.input);
   command
       .add_option("--spacing", options.input.spacing_mm, "Column, row and slice distance in mm of PNG or TIFF stacks")

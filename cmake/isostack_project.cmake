@@ -28,6 +28,20 @@ find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 
+# Debian's interpreter, not one that a shell puts before it: the module and its tests need Debian's packages.
+if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python3_EXECUTABLE /usr/bin/python3)
+endif()
+find_package(Python3 COMPONENTS Interpreter OPTIONAL_COMPONENTS Development.Module NumPy)
+if(Python3_Development.Module_FOUND AND Python3_NumPy_FOUND)
+  find_package(pybind11 2.10 QUIET)
+endif()
+set(builds_python OFF)
+if(pybind11_FOUND AND NOT ISOSTACK_SANITIZE) # a plain interpreter cannot load sanitized code
+  set(builds_python ON)
+endif()
+option(ISOSTACK_BUILD_PYTHON "Build the Python module" ${builds_python})
+
 add_library(isostack_flags INTERFACE)
 target_compile_options(isostack_flags INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor
   $<$<BOOL:${ISOSTACK_WARNINGS_AS_ERRORS}>:-Werror>)

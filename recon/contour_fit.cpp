@@ -49,38 +49,45 @@ ContourFit::ContourFit(const ContourStack& contours, const ReconstructOptions& o
 
 ImplicitFunction ContourFit::run() {
   const double tolerance = options_.solve_tolerance_pixels, loose = std::max(tolerance, loose_tolerance_pixels);
-  ImplicitFunction function = settle(options_.solves);
-  while (add_farthest(function)) function = settle(2);
-  std::vector<Disagreement> wrong = disagreements(function);
+  std::optional<ImplicitFunction> function = settle(options_.solves);
+  const auto settle_again = [&](int solves) {
+    function.reset();  // its memory is the next solve's
+    function = settle(solves);
+  };
+  while (add_farthest(*function)) settle_again(2);
+  std::vector<Disagreement> wrong = disagreements(*function);
   for (int round = 0; round < options_.plane_check_rounds && !wrong.empty(); ++round) {
     add(wrong);
-    function = settle(std::min(options_.solves, 2));
-    wrong = disagreements(function);
+    settle_again(std::min(options_.solves, 2));
+    wrong = disagreements(*function);
   }
-  while (add_farthest(function)) function = settle(2);
-  if (options_.tolerance_mm)
-    function = smooth_to_tolerance(std::move(function));
-  else if (loose > tolerance)
+  while (add_farthest(*function)) settle_again(2);
+  if (options_.tolerance_mm) {
+    function = smooth_to_tolerance(std::move(*function));
+  } else if (loose > tolerance) {
+    function.reset();
     function = solve(tolerance);
-  report_residual(function);
-  return function;
+  }
+  report_residual(*function);
+  solver_.reset();  // its memory is the surface's
+  return std::move(*function);
 }
 
 /// Solves for the constraints as they are, then again with the partners' values corrected by the
 /// normals found, `solves` times in all. Only values change: one solver serves all solves.
 ImplicitFunction ContourFit::settle(int solves) {
+  solver_.reset();  // before the next one takes as much memory again
   solver_ = std::make_unique<InterpolationSolver>(smoothed_constraints(), interpolation_options(options_, pixel_mm_),
                                                   progress_);
   describe(*solver_, static_cast<std::size_t>(built_.constraints.values.size()), report_);
   const Eigen::MatrixXd boundary = built_.constraints.points.leftCols(static_cast<Eigen::Index>(built_.samples.size()));
   const double loose = std::max(options_.solve_tolerance_pixels, loose_tolerance_pixels);
-  ImplicitFunction function = solve(loose);
   for (int done = 1; done < solves; ++done) {
+    const Eigen::MatrixXd gradients = solve(loose).gradients(boundary);
     progress_.report("normals", static_cast<double>(done) / solves);
-    correct_for_oblique_cuts(function.gradients(boundary), contours_, built_);
-    function = solve(loose);
+    correct_for_oblique_cuts(gradients, contours_, built_);
   }
-  return function;
+  return solve(loose);
 }
 
 /// Smoothing as asked for, and as much as crossing slices' contradictions need.

@@ -33,9 +33,12 @@ class ContourFit {
   /// The function after all rounds, solved to the tolerance. Throws SolveError as reconstruct() does.
   ImplicitFunction run();
 
-  /// The function again, with constraints where sections of the surface strayed from the contours; none when nothing
-  /// could be added. `function` is the last one.
-  std::optional<ImplicitFunction> repair(const SectionDeviations& deviations, const ImplicitFunction& function);
+  /// Adds constraints where sections of the surface strayed from the contours; false when nothing could be added.
+  /// `function` is the last one.
+  bool add(const SectionDeviations& deviations, const ImplicitFunction& function);
+
+  /// The function with what add() added. The last one is not needed: without it there is room for the solve.
+  ImplicitFunction run_again();
 
   const ContourConstraints& constraints() const { return built_; }
 

@@ -23,8 +23,7 @@ Eigen::Index nearest_sample(const std::vector<ContourSample>& samples, const std
 
 }  // namespace
 
-std::optional<ImplicitFunction> ContourFit::repair(const SectionDeviations& deviations,
-                                                   const ImplicitFunction& function) {
+bool ContourFit::add(const SectionDeviations& deviations, const ImplicitFunction& function) {
   const std::size_t samples_before = samples_.size(), strays_before = strays_.size();
   const std::size_t allowed = options_.max_constraints / 3 + options_.max_constraints / 12;  // repairs come on top
   RefineOptions refine;
@@ -45,16 +44,24 @@ std::optional<ImplicitFunction> ContourFit::repair(const SectionDeviations& devi
   });
   strays = farthest_strays(std::move(strays), 0.5 * pixel_mm_, allowed - std::min(allowed, strays_.size()));
   strays_.insert(strays_.end(), strays.begin(), strays.end());
-  if (samples_.size() == samples_before && strays_.size() == strays_before) return std::nullopt;
+  if (samples_.size() == samples_before && strays_.size() == strays_before) return false;
 
   build_constraints();
   correct_for_oblique_cuts(function.gradients(positions_mm(samples_, contours_)), contours_, built_);
   if (samples_.size() > samples_before) weights_.resize(0);  // partners have moved behind the new samples
   report_.section_constraints = samples_.size() - report_.boundary_constraints + strays_.size();
-  ImplicitFunction repaired = settle(1);
-  if (options_.solve_tolerance_pixels < loose_tolerance_pixels) repaired = solve(options_.solve_tolerance_pixels);
-  report_residual(repaired);
-  return repaired;
+  return true;
+}
+
+ImplicitFunction ContourFit::run_again() {
+  std::optional<ImplicitFunction> function = settle(1);
+  if (options_.solve_tolerance_pixels < loose_tolerance_pixels) {
+    function.reset();
+    function = solve(options_.solve_tolerance_pixels);
+  }
+  report_residual(*function);
+  solver_.reset();
+  return std::move(*function);
 }
 
 /// What keeps the section from straying: values as far as a pixel says, corrected for oblique cuts as partners are.

@@ -76,6 +76,7 @@ ImplicitFunction ContourFit::smooth_to_tolerance(ImplicitFunction interpolating)
   const auto largest_distance_mm = [&](double smoothing) {
     progress_.report("smoothing", 0);
     smoothing_ = smoothing;
+    solver_.reset();
     solver_ = std::make_unique<InterpolationSolver>(smoothed_constraints(), interpolation_options(options_, pixel_mm_),
                                                     progress_);
     ImplicitFunction function = solve(options_.solve_tolerance_pixels);

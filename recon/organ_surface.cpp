@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "recon/contour_fit.h"
@@ -169,14 +170,14 @@ OrganSurface reconstruct_organ(const ContourStack& contours, const ReconstructOp
   report.constraint_seconds = constraint_watch.seconds();
 
   const Stopwatch solve_watch;
-  FittedOrgan organ = fitted_organ(fit, fit.run(), contours);
-  report.boundary_constraints = organ.samples.size();
+  std::optional<FittedOrgan> organ = fitted_organ(fit, fit.run(), contours);
+  report.boundary_constraints = organ->samples.size();
   report.solve_seconds = solve_watch.seconds();
-  BoundedField bounded = bounded_field(organ, options);
-  std::vector<ContourSample> lost = extract_organ(organ, bounded, options, progress, result);
+  BoundedField bounded = bounded_field(*organ, options);
+  std::vector<ContourSample> lost = extract_organ(*organ, bounded, options, progress, result);
 
   // Chords of cells coarser than a pixel, which were asked for, are nothing to repair.
-  const double asked_pixels = options.resolution_mm / organ.pixel_mm;
+  const double asked_pixels = options.resolution_mm / organ->pixel_mm;
   const double tolerance_pixels =
       asked_pixels > 1 ? std::max(options.section_tolerance_pixels, asked_pixels) : options.section_tolerance_pixels;
   const bool sections_repairable = options.smoothing <= 0 && !options.tolerance_mm && options.caps != Caps::open;
@@ -185,24 +186,24 @@ OrganSurface reconstruct_organ(const ContourStack& contours, const ReconstructOp
     const Stopwatch repair_watch;
     SectionDeviations deviations = section_deviations(result.surface, contours, tolerance_pixels);
     if (round == 0 && options.resolution_mm <= 0 && deviations.mean_pixels > coarse_mean_pixels) {
-      organ.cell_pixels = 0.5;
-      lost = extract_organ(organ, bounded, options, progress, result);
+      organ->cell_pixels = 0.5;
+      lost = extract_organ(*organ, bounded, options, progress, result);
       deviations = section_deviations(result.surface, contours, tolerance_pixels);
     }
-    if (deviations.empty()) break;
-    std::optional<ImplicitFunction> repaired = fit.repair(deviations, organ.function);
-    if (!repaired) break;
-    const double cell_pixels = organ.cell_pixels;
-    organ = fitted_organ(fit, std::move(*repaired), contours);
-    organ.cell_pixels = cell_pixels;
+    if (deviations.empty() || !fit.add(deviations, organ->function)) break;
+    const double cell_pixels = organ->cell_pixels;
+    bounded = {};
+    organ.reset();  // the solve takes its memory
+    organ = fitted_organ(fit, fit.run_again(), contours);
+    organ->cell_pixels = cell_pixels;
     report.solve_seconds += repair_watch.seconds();
-    bounded = bounded_field(organ, options);
-    lost = extract_organ(organ, bounded, options, progress, result);
+    bounded = bounded_field(*organ, options);
+    lost = extract_organ(*organ, bounded, options, progress, result);
   }
-  require_none_lost(lost, organ, options);
+  require_none_lost(lost, *organ, options);
   result.surface.name = contours.name;
   result.surface.color = contours.color;
-  return {std::move(organ), std::move(bounded), std::move(result)};
+  return {std::move(*organ), std::move(bounded), std::move(result)};
 }
 
 void retriangulate_organ(const BoundedField& bounded, const ReconstructOptions& options, const Progress& progress,

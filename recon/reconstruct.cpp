@@ -24,6 +24,14 @@ std::vector<Eigen::Vector3d> leading_points(const ConstraintSet& set, Eigen::Ind
 
 }  // namespace
 
+ReconstructOptions interpolating(ReconstructOptions options) {
+  options.softening.strength = 0;
+  options.sample_spacing_pixels = 0.2;
+  options.section_tolerance_pixels = 0.1;
+  options.section_rounds = 6;
+  return options;
+}
+
 Reconstruction reconstruct(const ContourStack& contours, const ReconstructOptions& options, const Progress& progress) {
   OrganSurface organ = reconstruct_organ(contours, options, progress);
   retriangulate_organ(organ.bounded, options, progress, organ.result);

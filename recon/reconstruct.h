@@ -50,6 +50,10 @@ struct ReconstructOptions {
   std::size_t memory_limit_bytes = std::size_t{8} << 30;
 };
 
+/// The same, but passing through every constraint, also contradicting ones, and nearer to all contours: more points as
+/// constraints, closer and more repairs of sections, no softening.
+ReconstructOptions interpolating(ReconstructOptions options = {});
+
 /// What was done, for reports.
 struct ReconstructReport {
   std::size_t contour_points = 0;        ///< on all contours

@@ -35,7 +35,7 @@ bool has_kind(const Json& value, Kind kind) {
 
 /// Refuses what is not among the keys, has the wrong kind or is missing.
 void require_keys(const LocatedJson& document, const std::string& pointer, std::initializer_list<Key> keys) {
-  constexpr const char* remedy = "compare it with docs/pipeline.schema.json, or record it anew with --record";
+  constexpr const char* remedy = "compare it with docs/schemas/pipeline.schema.json, or record it anew with --record";
   const Json& object = document.value.at(Json::json_pointer(pointer));
   if (!object.is_object()) throw InputError(document.where(pointer), "an object { } is expected here", remedy);
   for (const auto& [name, value] : object.items()) {

@@ -24,7 +24,7 @@ struct PipelineStep {
   std::string where;                ///< "FILE, line N", for messages
 };
 
-/// Commands that were run one after the other, to be run again (docs/pipeline.schema.json).
+/// Commands that were run one after the other, to be run again (docs/schemas/pipeline.schema.json).
 struct Pipeline {
   std::string isostack;  ///< version of the program that recorded it
   std::map<std::string, PipelineInput> inputs;

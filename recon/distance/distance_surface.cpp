@@ -75,6 +75,17 @@ class OwnAxes {
   Vector3d spacing_mm_;
 };
 
+bool is_inside_along_its_border(const Volume<float>& distance_mm) {
+  const Eigen::Vector3i last = distance_mm.grid.size.array() - 1;
+  for (int z = 0; z <= last.z(); ++z)
+    for (int y = 0; y <= last.y(); ++y) {
+      const bool whole_row = z == 0 || z == last.z() || y == 0 || y == last.y();
+      for (int x = 0; x <= last.x(); x += whole_row ? 1 : last.x())
+        if (!(distance_mm.at(x, y, z) > 0)) return false;
+    }
+  return true;
+}
+
 }  // namespace
 
 TriangleMesh distance_surface(const Volume<float>& distance_mm, const DistanceSurfaceOptions& options,
@@ -92,6 +103,9 @@ TriangleMesh distance_surface(const Volume<float>& distance_mm, const DistanceSu
   const std::vector<Vector3d> seeds = surface_seeds(field, extraction.bounds, extraction.resolution_mm);
   if (seeds.empty())
     throw GeometryError("distance volume", "all its values have one sign", "give a volume that is positive inside");
+  if (is_inside_along_its_border(distance_mm))
+    throw GeometryError("distance volume", "it is positive, thus inside, along its whole border",
+                        "turn its sign round (--distances outside) if it is positive outside, else give a larger one");
   TriangleMesh mesh = extract_surface(field, seeds, extraction, progress).mesh;
 
   const Eigen::Matrix3d to_world = axes_mm * own.spacing_mm().cwiseInverse().asDiagonal();

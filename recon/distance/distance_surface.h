@@ -12,7 +12,8 @@ struct DistanceSurfaceOptions {
 
 /// The surface a distance volume (positive inside, any scale) describes: where its values, linear between voxels along
 /// each axis, are zero. Closed, outward, world mm; closed at the volume's outermost voxels where it reaches them.
-/// The volume may lie anywhere, also sheared. Throws GeometryError when there is no zero set or the grid is flat.
+/// The volume may lie anywhere, also sheared. Throws GeometryError when there is no zero set, the grid is flat, or all
+/// of its border is inside, as when the sign is the other way round.
 TriangleMesh distance_surface(const Volume<float>& distance_mm, const DistanceSurfaceOptions& options = {},
                               const Progress& progress = {});
 

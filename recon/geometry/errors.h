@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -10,6 +11,16 @@ namespace isostack {
 class Error : public std::runtime_error {
  public:
   Error(const std::string& where, const std::string& problem, const std::string& remedy);
+
+  const std::string& where() const { return parts_->where; }
+  const std::string& problem() const { return parts_->problem; }
+  const std::string& remedy() const { return parts_->remedy; }
+
+ private:
+  struct Parts {
+    std::string where, problem, remedy;
+  };
+  std::shared_ptr<const Parts> parts_;  ///< shared, so that a copy cannot throw
 };
 
 /// A file or value handed over is missing, broken or contradicts another.

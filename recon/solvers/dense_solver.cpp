@@ -7,6 +7,7 @@
 #include <Eigen/QR>
 
 #include "recon/geometry/errors.h"
+#include "recon/solvers/cholesky.h"
 #include "recon/solvers/direct_sum.h"
 #include "recon/solvers/lapack.h"
 #include "recon/solvers/memory_limit.h"
@@ -92,11 +93,8 @@ void DenseSolver::factorise(const Progress& progress) {
   dsyr2k_("L", "N", &count, &columns, &minus_one, reflectors_.data(), &count, y.data(), &count, &one, factor_.data(),
           &count);
 
-  const int inner = count - columns;
-  int info = 0;
-  dpotrf_("L", &inner, &factor_(rank, rank), &count, &info);
-  progress.report("solve", 1.0);
-  if (info != 0)
+  const Eigen::Index inner = factor_.cols() - rank;
+  if (!cholesky_in_place(factor_.bottomRightCorner(inner, inner), progress))
     throw SolveError("dense solve", fmt::format("the system of {} constraints is singular", count),
                      "merge coinciding constraints or add smoothing");
 }

@@ -11,11 +11,14 @@
 #include "recon/geometry/stopwatch.h"
 #include "recon/solvers/box_tree.h"
 #include "recon/solvers/memory_limit.h"
+#include "recon/solvers/product_memory.h"
 #include "recon/solvers/spanned_space.h"
 
 namespace isostack {
 
 namespace {
+
+constexpr Eigen::Index most_direct = 20'000;  ///< constraints for which products that correct are summed term by term
 
 /// Orders at which the operator stays definite and a sweep gains three digits, by measurement. The smoother
 /// r³ needs a steep growth: its values at coarse cells are the largest, and their errors with them.
@@ -275,19 +278,38 @@ double FastSolver::checked_residual(const Iteration& state, const Eigen::VectorX
   return residual.cwiseAbs().maxCoeff();
 }
 
-/// By measurement from 3,000 to 10⁶ constraints, with some room: tables per pair of layers, cells of the
-/// products per point and layer, entries of the preconditioner (levels above the finest add 40 %).
+namespace {
+
+/// Both products, after as many raises of their orders as solves of contours were seen to need.
+std::size_t product_bytes(const Eigen::MatrixXd& points, const Kernel& kernel) {
+  const auto bytes_of = [&](FastSumOptions options, int raise) {
+    options.far_field.order += raise;
+    const OctreeDomain domain = OctreeDomain::fitted(points, 1e-4, options.leaf_size);
+    const ProductMemory memory = product_memory(Octree(points, domain, options.leaf_size), options.far_field);
+    return memory.sources + memory.targets;
+  };
+  const int raise = kernel.power >= 3 ? 2 : 0;
+  const std::size_t inner = bytes_of(inner_options(kernel), raise);
+  return points.cols() <= most_direct ? inner : inner + bytes_of(outer_options(kernel, 0), raise);
+}
+
+}  // namespace
+
+/// By measurement from 3,000 to 10⁶ constraints, with some room. In one layer the cells of the products are counted;
+/// otherwise tables per pair of layers, cells per point and layer. Entries of the preconditioner: levels above the
+/// finest add 40 %.
 std::size_t FastSolver::required_bytes(const Eigen::MatrixXd& points, const Kernel& kernel,
                                        const CoarseToFineOptions& preconditioner) {
   const auto count = static_cast<std::size_t>(points.cols());
   const auto entries = static_cast<std::size_t>(1.45 * preconditioner.neighbours) + 1;
-  const std::size_t held = count * (400 + entries * (sizeof(double) + sizeof(std::uint32_t)));
+  const std::size_t held = (std::size_t{16} << 20) + count * (400 + entries * (sizeof(double) + sizeof(std::uint32_t)));
   const std::size_t layers = KernelOperator::layer_count(points);
+  if (points.rows() <= 3 && layers == 1) return held + product_bytes(points, kernel);
   const double levels =
       std::min(1.0, static_cast<double>(count) / (25'000.0 * static_cast<double>(std::max<std::size_t>(layers, 1))));
   const auto table = static_cast<std::size_t>(levels * (kernel.power >= 3 ? 90e6 : 60e6));
   const std::size_t cells = kernel.power >= 3 ? 2400 : kernel.power == 2 ? 1900 : 1400;
-  return (std::size_t{16} << 20) + held + layers * layers * table + layers * count * cells;
+  return held + layers * layers * table + layers * count * cells;
 }
 
 }  // namespace isostack

@@ -19,6 +19,14 @@ constexpr std::size_t least_constraints_for_fast = 8000;
 // Slices far apart need many neighbours; below this the larger factor pays for itself.
 constexpr Eigen::Index many_constraints = 150'000;
 
+FastSolverOptions fast_options(const InterpolationOptions& options, Eigen::Index constraint_count) {
+  FastSolverOptions fast;
+  fast.tolerance = options.tolerance;
+  fast.memory_limit_bytes = options.memory_limit_bytes;
+  fast.preconditioner.neighbours = constraint_count < many_constraints ? 80 : 40;
+  return fast;
+}
+
 /// How far apart 90 % of the numbers lie: a stray point does not stretch it.
 double inner_range(const Eigen::VectorXd& numbers) {
   std::vector<double> sorted(numbers.begin(), numbers.end());
@@ -70,11 +78,8 @@ InterpolationSolver::InterpolationSolver(const ConstraintSet& constraints, const
   const auto bytes = static_cast<std::size_t>(set.points.size() + set.values.size()) * sizeof(double);
   unreported_.push_back({"merge", merge_watch.seconds(), bytes});
   if (uses_fast(options.solver, static_cast<std::size_t>(set.values.size()))) {
-    FastSolverOptions fast;
-    fast.tolerance = options.tolerance;
-    fast.memory_limit_bytes = options.memory_limit_bytes;
-    fast.preconditioner.neighbours = set.values.size() < many_constraints ? 80 : 40;
-    fast_ = std::make_unique<FastSolver>(options.kernel, set.points, set.smoothing, fast, progress);
+    fast_ = std::make_unique<FastSolver>(options.kernel, set.points, set.smoothing,
+                                         fast_options(options, set.values.size()), progress);
   } else {
     const Stopwatch factor_watch;
     dense_ =
@@ -87,6 +92,12 @@ InterpolationSolver::InterpolationSolver(const ConstraintSet& constraints, const
 std::size_t InterpolationSolver::predicted_bytes() const {
   const auto count = static_cast<std::size_t>(merged_.set.values.size());
   return fast_ ? fast_->predicted_bytes() : DenseSolver::required_bytes(count);
+}
+
+std::size_t InterpolationSolver::required_bytes(const Eigen::MatrixXd& points, const InterpolationOptions& options) {
+  const auto count = static_cast<std::size_t>(points.cols());
+  if (!uses_fast(options.solver, count)) return DenseSolver::required_bytes(count);
+  return FastSolver::required_bytes(points, options.kernel, fast_options(options, points.cols()).preconditioner);
 }
 
 RadialWeights InterpolationSolver::solve(const Eigen::VectorXd& values, const Eigen::VectorXd& start,

@@ -54,6 +54,8 @@ class InterpolationSolver {
 
   const MergedConstraints& merged() const { return merged_; }
   std::size_t predicted_bytes() const;
+  /// The same before anything is made, for points that do not coincide (n × N).
+  static std::size_t required_bytes(const Eigen::MatrixXd& points, const InterpolationOptions& options);
   static bool uses_fast(SolverChoice choice, std::size_t constraint_count);
 
  private:

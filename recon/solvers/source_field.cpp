@@ -8,14 +8,17 @@
 
 namespace isostack {
 
+int order_at(const FarFieldOptions& options, int levels_above) {
+  const int order = options.order + static_cast<int>(std::lround(options.order_growth * std::max(0, levels_above)));
+  return std::min(order, std::max(options.order, options.most_order));
+}
+
 SourceField::SourceField(const RadialFunction& function, const Octree& tree, const std::array<bool, 3>& flat,
                          const FarFieldOptions& options)
     : tree_(tree), levels_(static_cast<std::size_t>(tree.level_count())) {
   for (int l = top_level; l < level_count(); ++l) {
     Level& level = levels_[static_cast<std::size_t>(l)];
-    const int above = std::max(0, tree.depth() - l);
-    const int order = options.order + static_cast<int>(std::lround(options.order_growth * above));
-    level.grid = NodeGrid(std::min(order, std::max(options.order, options.most_order)), flat);
+    level.grid = NodeGrid(order_at(options, tree.depth() - l), flat);
     level.dft = GridDft(level.grid);
     level.table = TranslationTable(function, level.grid, level.dft, tree.cell_width(l));
     level.groups = SiblingGroups(tree, l);

@@ -16,6 +16,8 @@ struct FarFieldOptions {
   double order_growth = 1;  ///< more nodes per level towards the root
   int most_order = 13;      ///< on any level
 };
+/// Nodes along an axis so many levels above the finest.
+int order_at(const FarFieldOptions& options, int levels_above);
 
 /// The sources' side of an interpolation-based fast multipole method: weights become values at
 /// the nodes of every cell, and their spectra, by which translations between cells are products.

@@ -2,15 +2,17 @@
 """overview.py OUT TABLE: OUT/cases.csv and OUT/overview.html from the results of all cases of the table.
 
 A value far from the cohort's others is marked: more than 3.5 robust standard deviations (1.4826 times the median distance
-from the median) from the median, from five finished cases on.
+from the median) from the median, from five finished cases on; distances, contradictions and memory only when they are large.
 """
 import csv
 import html
+import io
 import json
-import os
 import pathlib
 import statistics
 import sys
+
+import cases
 
 COLUMNS = {
     "volume_cm3": "volume, cm³",
@@ -22,6 +24,7 @@ COLUMNS = {
     "peak_mb": "memory, MB",
 }
 LIMIT = 3.5
+ONLY_LARGE = {"residual_mm", "contradiction_mm", "peak_mb"}  # little of these is no fault
 
 
 def largest(values):
@@ -29,11 +32,13 @@ def largest(values):
     return max(values) if values else None
 
 
-def row_of(name, result):
+def row_of(out, name):
+    result = cases.result_of(out, name)
     row = {"id": name, "status": result["status"], "message": result.get("message", "")}
     if result["status"] != "done":
         return row
-    surfaces = result["report"]["surfaces"]
+    report = json.loads((out / "cases" / name / "report.json").read_text(encoding="utf-8"))
+    surfaces = report["surfaces"]
     measures = [surface["surface"] for surface in surfaces]
     row["volume_cm3"] = sum(m["volume_mm3"] for m in measures) / 1000
     row["area_cm2"] = sum(m["area_mm2"] for m in measures) / 100
@@ -57,24 +62,20 @@ def mark_outliers(rows):
         spread = 1.4826 * statistics.median(abs(value - median) for value in values)
         least = 1e-9 + 0.01 * abs(median)  # equal values do not make everything else an outlier
         for row in done:
-            if row[column] is not None and abs(row[column] - median) > LIMIT * max(spread, least):
+            if row[column] is None:
+                continue
+            away = row[column] - median
+            if (away if column in ONLY_LARGE else abs(away)) > LIMIT * max(spread, least):
                 row["outliers"].append(column)
 
 
-def replaced(path, text):
-    temporary = path.with_name(path.name + ".tmp")
-    temporary.write_text(text, encoding="utf-8")
-    os.replace(temporary, path)
-
-
-def write_table(rows, path):
-    temporary = path.with_name(path.name + ".tmp")
-    with open(temporary, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, ["id", "status", *COLUMNS, "outliers", "message"], extrasaction="ignore")
-        writer.writeheader()
-        for row in rows:
-            writer.writerow({**row, "outliers": " ".join(row["outliers"])})
-    os.replace(temporary, path)
+def table_of(rows):
+    text = io.StringIO(newline="")
+    writer = csv.DictWriter(text, ["id", "status", *COLUMNS, "outliers", "message"], extrasaction="ignore")
+    writer.writeheader()
+    for row in rows:
+        writer.writerow({**row, "outliers": " ".join(row["outliers"])})
+    return text.getvalue()
 
 
 def cell(row, column):
@@ -91,7 +92,8 @@ def page_of(rows):
     for row in rows:
         name = html.escape(row["id"])
         picture = f'<img src="cases/{name}/picture.png" alt="{name}" loading="lazy">' if row["status"] == "done" else ""
-        remark = html.escape(row["message"]) or ", ".join(f"{COLUMNS[c]}: far from the others" for c in row["outliers"])
+        far = ", ".join(COLUMNS[column].split(",")[0] for column in row["outliers"])
+        remark = html.escape(row["message"]) or (f"far from the others: {far}" if far else "")
         body += (f'<tr class="{row["status"]}"><td><a href="cases/{name}/result.json">{name}</a></td><td>{picture}</td>'
                  + "".join(cell(row, column) for column in COLUMNS) + f"<td>{remark}</td></tr>\n")
     return f"""<!doctype html>
@@ -113,12 +115,10 @@ td.outlier {{ background: #fff0b8; font-weight: bold; }}
 
 def main():
     out, table = pathlib.Path(sys.argv[1]), sys.argv[2]
-    with open(table, newline="", encoding="utf-8-sig") as file:
-        names = [row["id"] for row in csv.DictReader(file)]
-    rows = [row_of(name, json.loads((out / "cases" / name / "result.json").read_text())) for name in names]
+    rows = [row_of(out, case["id"]) for case in cases.read_table(table)]
     mark_outliers(rows)
-    write_table(rows, out / "cases.csv")
-    replaced(out / "overview.html", page_of(rows))
+    cases.write_whole(out / "cases.csv", table_of(rows))
+    cases.write_whole(out / "overview.html", page_of(rows))
 
 
 if __name__ == "__main__":

@@ -62,7 +62,8 @@ TEST_F(MorphSubdivision, RefusesFilesThatNameWhatIsNotThere) {
   expect_refusal(with_features, {"level 9 of 4"});
   features(R"("warp": [[0.5], [0.6]])");
   expect_refusal(with_features, {"warp", "16"});
-  expect_refusal(figures + " --features " + shape("pointed.json"), {"pointed.json", "not a features file"});
+  expect_refusal(figures + " --features " + shape("pointed.json"),
+                 {"pointed.json", "not a file of the format isostack-features"});
 }
 
 TEST_F(MorphSubdivision, RefusesKeyShapesAndOptionsThatDoNotFit) {

@@ -28,6 +28,18 @@ TEST_F(View, WritesAPageWithoutADisplay) {
   EXPECT_NE(page.find("mean curvature, 1/mm"), std::string::npos);
 }
 
+TEST_F(View, ShowsSolidsAndDistanceVolumes) {
+  std::ofstream(path("ball.json"))
+      << R"({"format": "isostack-solid", "version": 1, "solid": {"superellipsoid": {"radii_mm": [10, 10, 10]}}})";
+  ASSERT_EQ(isostack("convert " + path("ball.json") + " --voxel 0.5 -o " + path("ball.nrrd")).exit_code, 0);
+  for (const char* ball : {"ball.json", "ball.nrrd"}) {
+    const ProgramRun run = isostack("view " + path(ball) + " --html " + path("ball.html"));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const std::string page = file_text(path("ball.html"));
+    EXPECT_NE(page.find("4.18"), std::string::npos) << ball;  // of 4.189 ml: a polyhedron within the ball
+  }
+}
+
 TEST_F(View, WithoutADisplaySaysHowToDraw) {
   const ProgramRun run =
       run_command("env -u DISPLAY " ISOSTACK_PROGRAM " view " + path("box.obj") + " --screenshot " + path("box.png"));

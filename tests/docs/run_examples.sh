@@ -20,7 +20,7 @@ while IFS= read -r line; do
   eval "$line" >/dev/null
   count=$((count + 1))
 done < <(sed -n 's/^    \(\(xvfb-run \)\?isostack .*\)$/\1/p' "$docs/commands.md" "$docs/morphing.md" "$docs/blending.md" "$docs/subdivision.md" \
-    "$docs/viewing.md" "$docs/pipelines.md"
+    "$docs/viewing.md" "$docs/pipelines.md" "$docs/results.md"
   sed -n 's/^    \(\(xvfb-run \)\?isostack [a-z]* sample.*\)$/\1/p' "$docs/distance.md" "$docs/level-set-morphing.md"
   sed -n 's/^    \(\$bin\/isostack .*sample.*\)$/\1/p' "$docs/getting-started.md")
 echo "$count examples ran"

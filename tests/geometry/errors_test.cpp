@@ -12,6 +12,13 @@ TEST(Errors, MessageIsOneSentenceOfWhereWhatAndRemedy) {
   EXPECT_STREQ(error.what(), "a.nii: the file is cut off; copy it again.");
 }
 
+TEST(Errors, PartsOfTheSentenceCanBeAskedFor) {
+  const GeometryError error("slice 3", "its axes are not orthogonal", "export it again");
+  EXPECT_EQ(error.where(), "slice 3");
+  EXPECT_EQ(error.problem(), "its axes are not orthogonal");
+  EXPECT_EQ(Error(error).remedy(), "export it again");  // a copy has them, too
+}
+
 TEST(Errors, EveryKindIsAnErrorAndNoOtherKind) {
   EXPECT_THROW(throw InputError("a", "b", "c"), Error);
   EXPECT_THROW(throw GeometryError("a", "b", "c"), Error);

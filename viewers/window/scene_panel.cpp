@@ -101,11 +101,13 @@ void ScenePanel::draw_marks(WindowModel& model) {
       overlay_.add(
           curves_actor(model.shown_plane()->pose, line.contours, 0.7 * surface_colour(model.scene(), line.surface), 3));
   if (!layers.marks) return;
-  std::vector<Eigen::Vector3d> picks, seeds;
+  std::vector<Eigen::Vector3d> picks, seeds, unwanted;
   for (const PointFacts& pick : model.picks()) picks.push_back(pick.point_mm);
-  for (const ViewSeed& seed : model.state().seeds) seeds.push_back(seed.position_mm);
+  for (const ViewSeed& seed : model.state().seeds)
+    (seed.name == unwanted_seed ? unwanted : seeds).push_back(seed.position_mm);
   overlay_.add(dots_actor(picks, pick_colour, 9));
   overlay_.add(dots_actor(seeds, seed_colour, 11));
+  overlay_.add(dots_actor(unwanted, unwanted_colour, 11));
 }
 
 void ScenePanel::warm_up() {

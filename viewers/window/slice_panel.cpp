@@ -114,14 +114,15 @@ void SlicePanel::draw_marks(const WindowModel& model) {
   const auto is_here = [&](const Eigen::Vector3d& p) {
     return std::abs(plane_->pose.signed_distance_mm(p)) <= near_mm;
   };
-  std::vector<Eigen::Vector3d> picks, seeds;
+  std::vector<Eigen::Vector3d> picks, seeds, unwanted;
   for (const PointFacts& pick : model.picks())
     if (is_here(pick.point_mm)) picks.push_back(pick.point_mm);
   for (const ViewSeed& seed : model.state().seeds)
-    if (is_here(seed.position_mm)) seeds.push_back(seed.position_mm);
+    if (is_here(seed.position_mm)) (seed.name == unwanted_seed ? unwanted : seeds).push_back(seed.position_mm);
   if (model.measuring_from() && is_here(*model.measuring_from())) picks.push_back(*model.measuring_from());
   overlay_.add(dots_actor(picks, pick_colour, 9));
   overlay_.add(dots_actor(seeds, seed_colour, 11));
+  overlay_.add(dots_actor(unwanted, unwanted_colour, 11));
   std::vector<SceneMark> distances;
   for (const SceneMark& mark : model.scene().marks)
     if (is_here(mark.from_mm) && is_here(mark.to_mm)) distances.push_back(mark);

@@ -45,7 +45,7 @@ constexpr std::array keys = std::to_array<ViewKey>({
     {"e", false, edit_mode, "e", "slice: drag a contour's point; a click on the line adds one"},
     {"g", false, seed_mode, "g", "a click places a seed"},
     {"BackSpace", false, clear_marks, "Backspace", "remove picks, distances and seeds"},
-    {"n", false, next_organ, "n", "the next organ is edited"},
+    {"n", false, next_organ, "n", "the next organ is edited or gets the seeds"},
     {"Delete", false, delete_point, "Delete", "remove the point under the pointer"},
     {"d", false, drop_slice, "d", "drop the shown slice"},
     {"period", false, longer_reach, ". ,", "more, fewer neighbours follow a dragged point"},

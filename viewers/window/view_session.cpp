@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 using Path = std::filesystem::path;
 constexpr const char* format_name = "isostack-view";
 constexpr int format_version = 1;
-constexpr const char* remedy = "see docs/view.schema.json for what a session looks like";
+constexpr const char* remedy = "see docs/schemas/view-session.schema.json for what a session looks like";
 
 /// Relative to the folder where that is possible, so that a session and its files can move together.
 Json paths_json(const std::vector<Path>& paths, const Path& folder) {

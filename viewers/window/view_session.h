@@ -34,9 +34,12 @@ struct Measurement {
   double length_mm() const { return (to_mm - from_mm).norm(); }
 };
 
+/// The name of seeds on what is not wanted.
+inline constexpr const char* unwanted_seed = "-";
+
 struct ViewSeed {
   Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();
-  std::string name = "organ";  ///< of the organ; "-": not wanted
+  std::string name = "organ";  ///< of the organ, or unwanted_seed
 };
 
 /// All that a window shows beyond what its files hold, world LPS mm.
@@ -73,8 +76,8 @@ struct ViewSession {
 /// True for a file that holds a session, whatever else it may be.
 bool is_view_session(const std::filesystem::path& path);
 
-/// The schema is docs/view.schema.json; paths in the file are relative to its folder. Throws InputError naming the file
-/// and what is wrong in it.
+/// The schema is docs/schemas/view-session.schema.json; paths in the file are relative to its folder. Throws InputError
+/// naming the file and what is wrong in it.
 ViewSession read_view_session(const std::filesystem::path& path);
 
 /// The file appears whole or not at all. Throws InputError when it cannot be written.

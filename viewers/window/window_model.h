@@ -138,6 +138,7 @@ class WindowModel {
   bool shows_replay_ = false;
   std::vector<PointFacts> picks_;
   std::optional<Eigen::Vector3d> measuring_from_;
+  std::string seed_name_ = ViewSeed().name;    ///< of the seeds that clicks place
   std::optional<Eigen::Vector2d> pointer_mm_;  ///< on the slice
   double pointer_near_mm_ = 0;
   std::optional<Drag> drag_;

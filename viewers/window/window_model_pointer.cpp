@@ -1,12 +1,31 @@
 // What the pointer does: picks, distances, seeds, and contours that are dragged.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "recon/geometry/errors.h"
 #include "viewers/window/window_model.h"
 
 namespace isostack {
+
+namespace {
+
+/// The organs that have seeds, then a new one, then what is not wanted, then from the start.
+std::string next_seed_name(const std::vector<ViewSeed>& seeds, const std::string& current) {
+  std::vector<std::string> names = {ViewSeed().name};
+  for (const ViewSeed& seed : seeds)
+    if (seed.name != unwanted_seed && std::ranges::find(names, seed.name) == names.end()) names.push_back(seed.name);
+  const auto has_seed = [&](const std::string& name) { return std::ranges::count(seeds, name, &ViewSeed::name) > 0; };
+  if (std::ranges::all_of(names, has_seed)) names.push_back(fmt::format("{} {}", ViewSeed().name, names.size() + 1));
+  names.emplace_back(unwanted_seed);
+  const auto at = std::ranges::find(names, current);
+  return at == names.end() || at + 1 == names.end() ? names.front() : *(at + 1);
+}
+
+}  // namespace
 
 bool WindowModel::act_on_marks(ViewAction action) {
   using enum ViewAction;
@@ -21,12 +40,18 @@ bool WindowModel::act_on_marks(ViewAction action) {
       set_pointer(PointerMode::edit, "on the slice: drag a point of the contour; click its line to add one");
       return true;
     case seed_mode:
-      set_pointer(PointerMode::seed, "click within the organ; t segments");
+      set_pointer(PointerMode::seed, "click within the organ; n seeds another or what is not wanted; t segments");
+      return true;
+    case next_organ:
+      if (session_.state.pointer != PointerMode::seed) return false;
+      seed_name_ = next_seed_name(session_.state.seeds, seed_name_);
+      say(seed_name_ == unwanted_seed ? "click on what is not wanted" : "click within " + seed_name_);
       return true;
     case clear_marks:
       picks_.clear();
       session_.state.measurements.clear();
       session_.state.seeds.clear();
+      seed_name_ = ViewSeed().name;
       measuring_from_.reset();
       update_marks();
       say("picks, distances and seeds are removed");
@@ -97,8 +122,10 @@ void WindowModel::use_point(const Eigen::Vector3d& point_mm) {
     measuring_from_.reset();
     say(fmt::format("{:.2f} mm", state.measurements.back().length_mm()));
   } else if (state.pointer == PointerMode::seed) {
-    state.seeds.push_back({point_mm, "organ"});
-    say(fmt::format("{} seeds; t segments from them", state.seeds.size()));
+    state.seeds.push_back({point_mm, seed_name_});
+    const auto count = std::ranges::count(state.seeds, seed_name_, &ViewSeed::name);
+    const std::string of = seed_name_ == unwanted_seed ? "what is not wanted" : seed_name_;
+    say(fmt::format("{} of {}; t segments", count == 1 ? "a seed" : fmt::format("{} seeds", count), of));
   } else {
     pick(point_mm);
   }

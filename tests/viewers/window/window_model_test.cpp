@@ -235,6 +235,25 @@ TEST(WindowModel, SeedsSegmentAndUndoBringsTheContoursBack) {
   EXPECT_FALSE(model.state().is_segmented);
 }
 
+TEST(WindowModel, SeedsAreOfSeveralOrgansAndOfWhatIsNotWanted) {
+  WindowModel model(ball());
+  model.act(ViewAction::seed_mode);
+  const auto seed_and_next = [&](const Eigen::Vector3d& point) {
+    model.press(on_slice(model, point), 0.5);
+    model.act(ViewAction::next_organ);
+  };
+  model.act(ViewAction::next_organ);  // nothing is seeded yet: only what is not wanted is left
+  seed_and_next({20, 0, 0});
+  seed_and_next({1, 1, 0});
+  seed_and_next({2, 1, 0});
+  model.act(ViewAction::next_organ);  // past another new one
+  model.act(ViewAction::next_organ);  // and what is not wanted
+  seed_and_next({3, 1, 0});
+  std::vector<std::string> names;
+  for (const ViewSeed& seed : model.state().seeds) names.push_back(seed.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"-", "organ", "organ 2", "organ"}));
+}
+
 TEST(WindowModel, ASavedSessionOpensAsItWas) {
   fs::path file;
   std::string contours;

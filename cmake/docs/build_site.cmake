@@ -1,0 +1,22 @@
+# cmake -D TOP=... -D OUT=... -D OPTIONS_PAGE=... -D VERSION=... -D MKDOCS=... -P build_site.cmake
+# OUT/site: the pages of docs/, README of the sample data, changelog and the page of all options, by mkdocs. Warnings fail.
+file(REMOVE_RECURSE ${OUT})
+file(COPY ${TOP}/docs/ DESTINATION ${OUT}/source)
+file(COPY ${OPTIONS_PAGE} DESTINATION ${OUT}/source)
+foreach(page sample_data/README.md:sample-data.md CHANGELOG.md:changelog.md)
+  string(REPLACE ":" ";" page ${page})
+  list(GET page 0 from)
+  list(GET page 1 to)
+  file(READ ${TOP}/${from} text)
+  string(REPLACE "](../docs/" "](" text "${text}")
+  file(WRITE ${OUT}/source/${to} "${text}")
+endforeach()
+# Debian's mkdocs links jQuery under another name than its theme asks for.
+file(COPY ${CMAKE_CURRENT_LIST_DIR}/theme DESTINATION ${OUT})
+file(COPY_FILE /usr/share/javascript/jquery/jquery.min.js ${OUT}/theme/js/jquery-3.6.0.min.js)
+set(PYTHON_PAGE "")
+if(EXISTS ${TOP}/docs/python.md)
+  set(PYTHON_PAGE "      - Python: python.md\n")
+endif()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/mkdocs.yml.in ${OUT}/mkdocs.yml @ONLY)
+execute_process(COMMAND ${MKDOCS} build --strict --quiet --config-file ${OUT}/mkdocs.yml COMMAND_ERROR_IS_FATAL ANY)
