@@ -45,7 +45,6 @@ void run(const CLI::App& command, isostack::cli::Session& session, isostack::cli
   streams.open();
   const auto threads = static_cast<std::size_t>(session.threads > 0 ? session.threads : isostack::available_threads());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  isostack::set_linear_algebra_threads(static_cast<int>(threads));
   session.run();
   isostack::cli::erase_progress();
   if (!session.record.empty()) isostack::cli::record_step(command, session.written(), session.record);

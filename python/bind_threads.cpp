@@ -11,24 +11,16 @@ namespace py = pybind11;
 
 namespace {
 
-/// As long as this lives, the work uses no more threads. Dense solves round differently with another number.
+/// As long as this lives, the work uses no more threads.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int count) {
     if (count < 1) throw py::value_error("at least one thread is needed");
     limit_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                    static_cast<std::size_t>(count));
-    set_linear_algebra_threads(count);
   }
-  ~ThreadLimit() { release(); }
-  ThreadLimit(const ThreadLimit&) = delete;
-  ThreadLimit& operator=(const ThreadLimit&) = delete;
 
-  void release() {
-    if (!limit_) return;
-    limit_.reset();
-    set_linear_algebra_threads(available_threads());
-  }
+  void release() { limit_.reset(); }
 
  private:
   std::unique_ptr<tbb::global_control> limit_;
@@ -38,8 +30,8 @@ class ThreadLimit {
 
 void bind_threads(py::module_& core) {
   py::class_<ThreadLimit> limit(core, "ThreadLimit",
-                                "with isostack.ThreadLimit(2): the work within uses no more threads. Results of dense "
-                                "solves depend on their number by rounding, others not at all.");
+                                "with isostack.ThreadLimit(2): the work within uses no more threads. Results do not "
+                                "depend on their number.");
   limit.def(py::init<int>(), py::arg("count"));
   limit.def("release", &ThreadLimit::release, "As many threads as there are again.");
   limit.def(

@@ -5,12 +5,14 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <Eigen/QR>
+#include <algorithm>
 
 #include "recon/geometry/errors.h"
 #include "recon/solvers/cholesky.h"
 #include "recon/solvers/direct_sum.h"
 #include "recon/solvers/lapack.h"
 #include "recon/solvers/memory_limit.h"
+#include "recon/solvers/thread_count.h"
 
 namespace isostack {
 
@@ -30,6 +32,43 @@ Eigen::MatrixXd signed_kernel_matrix(const Kernel& kernel, const Eigen::MatrixXd
     }
   });
   return matrix;
+}
+
+/// Rows that one task works on: the same whatever the number of threads, so that sums round the same.
+constexpr Eigen::Index rows_at_once = 256;
+
+template <class Work>
+void for_row_blocks(Eigen::Index count, const Work& work) {
+  tbb::parallel_for(Eigen::Index{0}, (count + rows_at_once - 1) / rows_at_once, [&](Eigen::Index block) {
+    const Eigen::Index first = block * rows_at_once;
+    work(first, std::min(rows_at_once, count - first));
+  });
+}
+
+/// A symmetric matrix, of which the lower triangle is there, times a few columns.
+Eigen::MatrixXd times_symmetric(const Eigen::MatrixXd& lower, const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd product(columns.rows(), columns.cols());
+  for_row_blocks(lower.rows(), [&](Eigen::Index first, Eigen::Index rows) {
+    const Eigen::Index below = first + rows, rest = lower.rows() - below;
+    auto part = product.middleRows(first, rows);
+    part.noalias() =
+        lower.block(first, first, rows, rows).selfadjointView<Eigen::Lower>() * columns.middleRows(first, rows);
+    part.noalias() += lower.block(first, 0, rows, first) * columns.topRows(first);
+    part.noalias() += lower.block(below, first, rest, rows).transpose() * columns.bottomRows(rest);
+  });
+  return product;
+}
+
+/// lower -= V Yᵀ + Y Vᵀ, on and below the diagonal.
+void subtract_products(const Eigen::MatrixXd& v, const Eigen::MatrixXd& y, Eigen::MatrixXd& lower) {
+  for_row_blocks(lower.rows(), [&](Eigen::Index first, Eigen::Index rows) {
+    auto left = lower.block(first, 0, rows, first);
+    left.noalias() -= v.middleRows(first, rows) * y.topRows(first).transpose();
+    left.noalias() -= y.middleRows(first, rows) * v.topRows(first).transpose();
+    auto diagonal = lower.block(first, first, rows, rows).triangularView<Eigen::Lower>();
+    diagonal -= v.middleRows(first, rows) * y.middleRows(first, rows).transpose();
+    diagonal -= y.middleRows(first, rows) * v.middleRows(first, rows).transpose();
+  });
 }
 
 /// Which monomials are independent on the points (all of them unless the points are degenerate,
@@ -63,6 +102,7 @@ DenseSolver::DenseSolver(const Kernel& kernel, const Eigen::MatrixXd& points, co
 
 void DenseSolver::factorise(const Progress& progress) {
   progress.report("solve", 0.0);
+  const OneBlasThread one_thread;
   const Eigen::Index rank = tail_values_.cols();
   const int count = static_cast<int>(points_.cols());
   if (count <= rank)
@@ -83,15 +123,11 @@ void DenseSolver::factorise(const Progress& progress) {
   progress.report("solve", 0.1);
 
   // Qᵀ A Q = A − V Yᵀ − Y Vᵀ with Y = A V T − ½ V (Tᵀ Vᵀ A V T).
-  const int columns = static_cast<int>(rank);
-  const double one = 1, zero = 0, minus_one = -1;
   const Eigen::MatrixXd vt = reflectors_ * triangle_;
-  Eigen::MatrixXd y(count, rank);
-  dsymm_("L", "L", &count, &columns, &one, factor_.data(), &count, vt.data(), &count, &zero, y.data(), &count);
+  Eigen::MatrixXd y = times_symmetric(factor_, vt);
   const Eigen::MatrixXd half_core = 0.5 * vt.transpose() * y;
   y -= reflectors_ * half_core;
-  dsyr2k_("L", "N", &count, &columns, &minus_one, reflectors_.data(), &count, y.data(), &count, &one, factor_.data(),
-          &count);
+  subtract_products(reflectors_, y, factor_);
 
   const Eigen::Index inner = factor_.cols() - rank;
   if (!cholesky_in_place(factor_.bottomRightCorner(inner, inner), progress))
@@ -114,6 +150,7 @@ Eigen::VectorXd DenseSolver::times_system(const Eigen::VectorXd& weights) const 
 }
 
 RadialWeights DenseSolver::solve(const Eigen::VectorXd& values) const {
+  const OneBlasThread one_thread;
   const Eigen::Index count = points_.cols();
   const int lda = static_cast<int>(count), inner = static_cast<int>(count - tail_rank()), one_column = 1;
   RadialWeights solution;

@@ -1,6 +1,7 @@
 #include "recon/solvers/dense_solver.h"
 
 #include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <random>
 #include <string>
@@ -78,6 +79,18 @@ INSTANTIATE_TEST_SUITE_P(All, DenseSolverKernels,
                                          Case{"r3_5D", triharmonic(), 5}, Case{"duchon_3D", duchon(3, 3), 3},
                                          Case{"duchon_4D", duchon(4, 3), 4}, Case{"duchon_1D", duchon(1, 2), 1}),
                          [](const auto& one) { return one.param.name; });
+
+TEST(DenseSolver, SameBitsWithAnyNumberOfThreads) {
+  const Eigen::MatrixXd points = random_points(3, 900, 6);  // several panels and tiles
+  const Eigen::VectorXd values = wavy_values(points);
+  std::vector<Eigen::VectorXd> weights;
+  for (const std::size_t threads : {1, 2, 3}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    weights.push_back(DenseSolver(triharmonic(), points, {}, {}).solve(values).weights);
+  }
+  EXPECT_TRUE(weights[0] == weights[1]);
+  EXPECT_TRUE(weights[0] == weights[2]);
+}
 
 TEST(DenseSolver, CubicSplineIsTheOneDimensionalCase) {
   // r³ in 1D is the natural cubic spline: through (0,0), (1,1), (2,0) it has the value 11/16 at 1/2.
