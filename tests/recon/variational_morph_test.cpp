@@ -95,7 +95,8 @@ TEST(VariationalMorph, BackwardsItIsTheSameFunction) {
   mirrored.row(2) = there.report().spacing_mm - places.row(2).array();
   const double residual = std::max(there.report().solve.largest_residual, back.report().solve.largest_residual);
   const Eigen::VectorXd difference = forwards.field.values(places) - backwards.field.values(mirrored);
-  EXPECT_LE(difference.cwiseAbs().maxCoeff(), 10 * residual);
+  // Both are rounding, of one system whose rows come in another order; the field itself is of order 1.
+  EXPECT_LE(difference.cwiseAbs().maxCoeff(), std::max(10 * residual, 1e-7));
   for (const double t : {0.1, 0.3, 0.7})
     EXPECT_LT(largest_distance(contours_of(there.shape_at(t)), contours_of(back.shape_at(1 - t))), traced_mm);
 }
