@@ -11,6 +11,7 @@
 #include "cli/path_roles.h"
 #include "cli/segment_images.h"
 #include "io/contours/contour_files.h"
+#include "io/file_listing.h"
 #include "io/formats.h"
 #include "io/volumes/volume_files.h"
 #include "recon/geometry/errors.h"
@@ -176,6 +177,7 @@ std::vector<ContourStack> drawn_organs_from(const InputOptions& options, Session
 }
 
 std::vector<ContourStack> organs_from(const InputOptions& options, Session& session) {
+  for (const std::filesystem::path& path : options.paths) require_exists(path);  // before asking for a rule
   if (std::all_of(options.paths.begin(), options.paths.end(), is_contour_file)) {
     std::vector<ContourStack> organs = chosen_organs(read_contour_inputs(options, session), options);
     for (ContourStack& organ : organs) {

@@ -37,6 +37,10 @@ class BadInput : public testing_support::ProgramTest {
 
 TEST_F(BadInput, MissingFolder) { expect_refusal(path("nowhere") + " --level 25", {"nowhere"}); }
 
+TEST_F(BadInput, MissingFolderIsToldBeforeAMissingRule) {
+  expect_refusal(path("nowhere"), {"nowhere", "no such file"});
+}
+
 TEST_F(BadInput, EmptyFolder) {
   std::filesystem::create_directories(path("empty"));
   expect_refusal(path("empty") + " --level 25", {"empty"});
