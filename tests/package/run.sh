@@ -69,7 +69,7 @@ echo "unpacked: the demo ran"
 ! dpkg-query --status isostack >/dev/null 2>&1 || fail "isostack is installed already; remove it first"
 mapfile -t names < <(for package in *.deb; do dpkg-deb --field "$package" Package; done)
 remove() { apt-get remove -q -y "${names[@]}" >>"$scratch/apt.log" 2>&1; }
-trap 'remove; rm -rf "$scratch"' EXIT
+trap 'remove || true; rm -rf "$scratch"' EXIT
 DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends ./*.deb >"$scratch/apt.log" 2>&1 ||
   { cat "$scratch/apt.log"; fail "apt-get install failed"; }
 hash -r
@@ -78,6 +78,7 @@ check_demo "$scratch/installed"
 cmake -G Ninja -S "$here/../install_consumer" -B "$scratch/consumer" -DCMAKE_BUILD_TYPE=Release >/dev/null
 cmake --build "$scratch/consumer" >/dev/null
 "$scratch/consumer/consumer" "$scratch/disc.ply"
-remove
+remove || { cat "$scratch/apt.log"; fail "apt-get remove failed"; }
+trap 'rm -rf "$scratch"' EXIT  # apt-get no longer knows the packages' names
 [[ ! -e /usr/bin/isostack && ! -e /usr/share/isostack ]] || fail "removing left files behind"
 echo "installed, used and removed"
