@@ -1,7 +1,6 @@
 #include "cli/label_inputs.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -73,7 +72,7 @@ std::vector<std::vector<Segment>> segments_of_maps(const LabelScene& scene, cons
   for (std::size_t m = 0; m < scene.maps.size(); ++m) {
     const bool is_last_chance = m + 1 == scene.maps.size() && found == 0;
     try {
-      segments.push_back(segments_asked_for(scene.maps[m], label, scene.sources[m]));
+      segments.push_back(chosen_segments(scene.maps[m], label, scene.sources[m]));
     } catch (const InputError&) {
       if (is_last_chance) throw;
       segments.emplace_back();
@@ -99,24 +98,6 @@ std::vector<ContourStack> organs_named_in(const std::vector<std::vector<Segment>
 
 bool holds_named_organs(const std::filesystem::path& path) {
   return path.filename().string().ends_with(".seg.nrrd") || is_dicom_seg(path);
-}
-
-std::vector<Segment> segments_asked_for(const LabelMap& map, const std::string& label, const std::string& where) {
-  const std::vector<Segment> all = all_segments(map);
-  const auto kept = [&](auto is_wanted) {
-    std::vector<Segment> wanted;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(wanted), is_wanted);
-    return wanted;
-  };
-  std::vector<Segment> wanted = label == "all" ? all : kept([&](const Segment& s) { return s.name == label; });
-  if (wanted.empty()) wanted = kept([&](const Segment& s) { return std::to_string(s.value) == label; });
-  if (!wanted.empty()) return wanted;
-  std::vector<std::string> listed;
-  for (const Segment& s : all)
-    listed.push_back(s.name == std::to_string(s.value) ? s.name : fmt::format("{} ({})", s.value, s.name));
-  throw InputError(where, label == "all" ? "it has no labels" : fmt::format("no voxel has label {}", label),
-                   listed.empty() ? "give an image with labels, this one has none"
-                                  : fmt::format("choose one of the labels present: {}", fmt::join(listed, ", ")));
 }
 
 std::vector<ContourStack> organs_in_labels(const InputOptions& options, Session& session) {

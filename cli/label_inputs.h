@@ -14,10 +14,6 @@ namespace isostack::cli {
 /// True for files that hold named organs, so that `all` goes without saying: DICOM SEG and .seg.nrrd.
 bool holds_named_organs(const std::filesystem::path& path);
 
-/// The segments that `--label` means: that name, else that number; every one for "all". Throws InputError naming
-/// `where` and listing what is there when there is none.
-std::vector<Segment> segments_asked_for(const LabelMap& map, const std::string& label, const std::string& where);
-
 /// Contours of the organs that --label asks for (all where it is not given), traced in the label inputs as one scene;
 /// inputs' organs of one name are one organ. Notes the readers' warnings, and organs that no chosen slice shows.
 std::vector<ContourStack> organs_in_labels(const InputOptions& options, Session& session);

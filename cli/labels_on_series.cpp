@@ -25,7 +25,7 @@ std::vector<ContourStack> labels_on_series(const InputOptions& input, const Like
     if (maps.size() > 1) return organs_in_labels(input, session);  // no grid to cut; its planes are the images'
     const LabelMap& labels = maps.front();
     for (const std::string& warning : labels.warnings) session.note(warning);
-    const auto segments = segments_asked_for(labels, input.label.empty() ? "all" : input.label, path.string());
+    const auto segments = chosen_segments(labels, input.label.empty() ? "all" : input.label, path.string());
     auto found = label_sections(labels, segments, planes, tracing, session.progress());
     std::move(found.begin(), found.end(), std::back_inserter(organs));
   }

@@ -9,7 +9,6 @@
 #include "cli/commands.h"
 #include "cli/input_options.h"
 #include "cli/json_report.h"
-#include "cli/label_inputs.h"
 #include "cli/leave_out.h"
 #include "cli/path_roles.h"
 #include "io/file_listing.h"
@@ -17,6 +16,7 @@
 #include "io/meshes/read_mesh.h"
 #include "io/volumes/volume_files.h"
 #include "recon/geometry/errors.h"
+#include "recon/geometry/label_map.h"
 #include "recon/metrics/compare.h"
 #include "recon/metrics/surface_distance.h"
 
@@ -37,7 +37,7 @@ struct MeasureCommand {
 LabelVolume read_voxels_of(const std::filesystem::path& path, const std::string& label) {
   const LabelMap map = read_labels(path);
   LabelVolume voxels(map.layers.front().grid);
-  for (const Segment& segment : segments_asked_for(map, label.empty() ? "all" : label, path.string()))
+  for (const Segment& segment : chosen_segments(map, label.empty() ? "all" : label, path.string()))
     std::transform(map.layers[segment.layer].voxels.begin(), map.layers[segment.layer].voxels.end(),
                    voxels.voxels.begin(), voxels.voxels.begin(), [&](std::uint16_t value, std::uint16_t before) {
                      return static_cast<std::uint16_t>(value == segment.value ? 1 : before);

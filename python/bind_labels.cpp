@@ -39,6 +39,14 @@ void bind_labels(py::module_& core) {
   map.def_property_readonly(
       "all_segments", [](const LabelMap& self) { return copies(all_segments(self)); },
       "every organ: those with a name, then values that none has, each with its number as name");
+  map.def(
+      "chosen_segments",
+      [](const LabelMap& self, const std::string& choice, const std::string& where) {
+        return copies(chosen_segments(self, choice, where));
+      },
+      py::arg("choice"), py::arg("where") = "labels",
+      "The organs of that name, else those with that number; every one for \"all\". Raises InputError naming `where` "
+      "and listing the organs present.");
   map.def_property_readonly(
       "warnings", [](const LabelMap& self) { return copies(self.warnings); },
       "what a user must know before trusting the map");

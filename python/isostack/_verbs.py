@@ -10,7 +10,6 @@ from isostack._core import (
     RetriangulationOptions, Segment, SegmentationOptions, SegmentedOrgans, SliceStack, SolidDistanceOptions,
     TriangleMesh, Volume)
 from isostack._options import Progress, merged, warn
-from isostack.errors import InputError
 
 __all__ = [
     "align_slices", "compare", "distance_surface", "label_sections", "leave_out", "measure", "mended_mesh",
@@ -52,25 +51,14 @@ def trace_label(images: SliceStack, label: int, options: Optional[LabelOptions] 
     return _core.trace_label(images, label, merged(LabelOptions, options, fields), progress)
 
 
-def _segments(labels: LabelMap, label: Union[str, int]) -> List[Segment]:
-    every = list(labels.all_segments)
-    if label == "all":
-        return every
-    chosen = [s for s in every if s.name == label] or [s for s in every if str(s.value) == str(label)]
-    if not chosen:
-        raise InputError("labels", f"no voxel has label {label}",
-                         "choose one of the labels present: " + ", ".join(s.name for s in every))
-    return chosen
-
-
 def trace_organs(labels: LabelMap, label: Union[str, int] = "all", options: Optional[LabelOptions] = None, *,
                  progress: Progress = None, **fields: Any) -> List[ContourStack]:
     """Contours of the organs of a label map on its own k-planes, slice mm: all, one by name, or one by number."""
     grid = labels.layers[0].grid
     planes = [ContourSlice(pose=grid.pose_of_plane(k), size_pixels=grid.size[:2], name=f"labels slice {k}")
               for k in range(grid.size[2])]
-    return _core.label_sections(labels, _segments(labels, label), planes, merged(LabelOptions, options, fields),
-                                progress)
+    segments = labels.chosen_segments(str(label))
+    return _core.label_sections(labels, segments, planes, merged(LabelOptions, options, fields), progress)
 
 
 def label_sections(labels: LabelMap, segments: Sequence[Segment], planes: Sequence[ContourSlice],

@@ -1,7 +1,10 @@
 #include "recon/geometry/label_map.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
+
+#include "recon/geometry/errors.h"
 
 namespace isostack {
 
@@ -37,6 +40,25 @@ std::vector<std::uint16_t> distinct_values(const std::vector<Segment>& segments)
   return values;
 }
 
+template <typename Predicate>
+std::vector<Segment> kept(const std::vector<Segment>& segments, Predicate is_wanted) {
+  std::vector<Segment> wanted;
+  std::copy_if(segments.begin(), segments.end(), std::back_inserter(wanted), is_wanted);
+  return wanted;
+}
+
+/// "1 (liver), 2 (kidney), 7"
+std::string listed(const std::vector<Segment>& segments) {
+  std::string list;
+  for (const Segment& segment : segments) {
+    const std::string number = std::to_string(segment.value);
+    if (!list.empty()) list += ", ";
+    list += number;
+    if (segment.name != number) list.append(" (").append(segment.name).append(")");
+  }
+  return list;
+}
+
 }  // namespace
 
 std::vector<Segment> all_segments(const LabelMap& map) {
@@ -50,6 +72,18 @@ std::vector<Segment> all_segments(const LabelMap& map) {
         segments.push_back({.name = std::to_string(value), .value = static_cast<std::uint16_t>(value), .layer = layer});
   }
   return segments;
+}
+
+std::vector<Segment> chosen_segments(const LabelMap& map, const std::string& choice, const std::string& where) {
+  const std::vector<Segment> all = all_segments(map);
+  if (all.empty()) throw InputError(where, "it has no labels", "give an image with labels, this one has none");
+  if (choice == "all") return all;
+  std::vector<Segment> chosen = kept(all, [&](const Segment& segment) { return segment.name == choice; });
+  if (chosen.empty())
+    chosen = kept(all, [&](const Segment& segment) { return std::to_string(segment.value) == choice; });
+  if (chosen.empty())
+    throw InputError(where, "no voxel has label " + choice, "choose one of the labels present: " + listed(all));
+  return chosen;
 }
 
 void add_segment(LabelMap& map, const LabelVolume& mask, Segment segment) {

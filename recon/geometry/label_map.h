@@ -29,6 +29,10 @@ struct LabelMap {
 /// Every organ: the map's segments, then the values that no segment names, each with its number as its name.
 std::vector<Segment> all_segments(const LabelMap& map);
 
+/// The organs of that name, else those with that number; every one for "all". Throws InputError naming `where`, the
+/// map's file for instance, and listing the organs present when there is none.
+std::vector<Segment> chosen_segments(const LabelMap& map, const std::string& choice, const std::string& where);
+
 /// Adds the voxels of `mask` that are not 0 as an organ, in the first layer where it overlaps no other, or in a new
 /// one. The mask lies on the map's grid; segment.layer is set here and segment.value is one that no layer holds yet.
 void add_segment(LabelMap& map, const LabelVolume& mask, Segment segment);

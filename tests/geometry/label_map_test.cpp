@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
+#include "recon/geometry/errors.h"
+
 namespace isostack {
 namespace {
 
@@ -20,6 +25,36 @@ TEST(LabelMap, ValuesWithoutASegmentAreOrgansToo) {
   EXPECT_EQ(all[0].name, "liver");
   EXPECT_EQ(all[1].name, "3");
   EXPECT_EQ(all[1].value, 3);
+}
+
+TEST(LabelMap, AChoiceIsANameBeforeItIsANumber) {
+  const LabelMap map{.layers = {line({1, 2, 3, 4})},
+                     .segments = {{.name = "liver", .value = 1}, {.name = "3", .value = 2}}};
+  const auto value_of = [&](const std::string& choice) {
+    const std::vector<Segment> chosen = chosen_segments(map, choice, "scan.nrrd");
+    return chosen.size() == 1 ? static_cast<int>(chosen.front().value) : -1;
+  };
+  EXPECT_EQ(value_of("liver"), 1);
+  EXPECT_EQ(value_of("1"), 1);
+  EXPECT_EQ(value_of("4"), 4);
+  const std::vector<Segment> three = chosen_segments(map, "3", "scan.nrrd");
+  ASSERT_EQ(three.size(), 2u);  // named 3, and without a name and so called by its number
+  EXPECT_EQ(three[0].value, 2);
+  EXPECT_EQ(three[1].value, 3);
+  EXPECT_EQ(chosen_segments(map, "all", "scan.nrrd").size(), 4u);
+}
+
+TEST(LabelMap, AMissingChoiceTellsWhatThereIs) {
+  const LabelMap map{.layers = {line({0, 5, 6})}, .segments = {{.name = "liver", .value = 5}}};
+  try {
+    chosen_segments(map, "spleen", "scan.nrrd");
+    FAIL() << "a label that is not there was found";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where(), "scan.nrrd");
+    EXPECT_NE(error.problem().find("spleen"), std::string::npos);
+    EXPECT_NE(error.remedy().find("5 (liver), 6"), std::string::npos) << error.remedy();
+  }
+  EXPECT_THROW(chosen_segments({.layers = {line({0, 0})}, .segments = {}}, "all", "empty.nrrd"), InputError);
 }
 
 TEST(LabelMap, OnlyOverlappingOrgansTakeAnotherLayer) {
