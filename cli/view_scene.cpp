@@ -21,7 +21,7 @@
 #include "viewers/scene_title.h"
 #include "viewers/scene_warnings.h"
 #include "viewers/surface_values.h"
-#include "viewers/window/view_planes.h"
+#include "viewers/view_planes.h"
 
 namespace isostack::cli {
 

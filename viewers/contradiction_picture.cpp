@@ -7,7 +7,7 @@
 #include "viewers/offscreen_window.h"
 #include "viewers/scene_points.h"
 #include "viewers/scene_view.h"
-#include "viewers/window/view_planes.h"
+#include "viewers/view_planes.h"
 
 namespace isostack {
 

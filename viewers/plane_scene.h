@@ -1,7 +1,7 @@
 #pragma once
 
 #include "viewers/scene.h"
-#include "viewers/window/view_planes.h"
+#include "viewers/view_planes.h"
 
 namespace isostack {
 

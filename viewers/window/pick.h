@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "viewers/scene.h"
-#include "viewers/window/view_planes.h"
+#include "viewers/view_planes.h"
 
 namespace isostack {
 

@@ -7,7 +7,7 @@
 #include "recon/geometry/contour.h"
 #include "recon/metrics/slice_agreement.h"
 #include "viewers/scene.h"
-#include "viewers/window/view_planes.h"
+#include "viewers/view_planes.h"
 
 namespace isostack {
 

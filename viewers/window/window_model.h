@@ -11,6 +11,7 @@
 
 #include "recon/reconstruct.h"
 #include "viewers/scene.h"
+#include "viewers/view_planes.h"
 #include "viewers/window/background_task.h"
 #include "viewers/window/contour_edit.h"
 #include "viewers/window/pick.h"
@@ -18,7 +19,6 @@
 #include "viewers/window/playback.h"
 #include "viewers/window/seed_segmentation.h"
 #include "viewers/window/view_keys.h"
-#include "viewers/window/view_planes.h"
 #include "viewers/window/view_session.h"
 
 namespace isostack {

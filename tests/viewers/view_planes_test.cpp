@@ -1,4 +1,4 @@
-#include "viewers/window/view_planes.h"
+#include "viewers/view_planes.h"
 
 #include <gtest/gtest.h>
 
