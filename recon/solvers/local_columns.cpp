@@ -4,17 +4,12 @@
 #define HWY_TARGET_INCLUDE "recon/solvers/local_columns.cpp"
 #include <hwy/foreach_target.h>  // compiles the SIMD part once per instruction set
 
+#include "recon/solvers/lane_cholesky-inl.h"
 #include "recon/solvers/radial_simd-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isostack {
 namespace HWY_NAMESPACE {
-
-constexpr std::size_t stride = LocalSystems::local_lanes;
-constexpr std::size_t tile = 4;
-
-HWY_INLINE Vec load(const double* p) { return hn::LoadU(Lanes(), p); }
-HWY_INLINE void store(Vec v, double* p) { hn::StoreU(v, Lanes(), p); }
 
 /// One vector of lanes of the batch, with the work arrays behind it. `M` is the number of monomials,
 /// or 0 for a number known at run time only.
@@ -23,9 +18,8 @@ class Solver {
  public:
   Solver(const Phi& phi, double sign, const Eigen::MatrixXi& exponents, LocalSystems& systems, std::size_t lane)
       : phi_(phi), sign_(sign), exponents_(exponents), s_(systems), lane_(lane), count_(exponents.cols()) {
-    const std::size_t n = s_.rows, m = monomials(), tail_tiles = (n - m) / tile;
-    const std::size_t needed =
-        (4 * n * m + 3 * m * m + 2 * m + 2 * n + tail_tiles * (tail_tiles + 1) / 2 * tile * tile) * stride;
+    const std::size_t n = s_.rows, m = monomials(), lower_half = LaneCholesky::stored_elements(n - m);
+    const std::size_t needed = (4 * n * m + 3 * m * m + 2 * m + 2 * n + lower_half) * stride;
     if (s_.work.size() < needed) s_.work.resize(needed);
     double* next = s_.work.data() + lane;
     const auto take = [&](std::size_t size) {
@@ -36,7 +30,7 @@ class Solver {
     p_ = take(n * m), v_ = take(n * m), y_ = take(n * m), w_ = take(n * m);
     t_ = take(m * m), gram_ = take(m * m), small_ = take(m * m), a_ = take(m), b_ = take(m);
     unit_ = take(n), solution_ = take(n);
-    matrix_ = take(tail_tiles * (tail_tiles + 1) / 2 * tile * tile);
+    matrix_ = LaneCholesky(take(lower_half), n - m);
   }
 
   /// Lanes that succeeded are 1.
@@ -46,7 +40,7 @@ class Solver {
     assemble();
     project();
     project_unit();
-    Vec good = factor();
+    Vec good = matrix_.factor();
     substitute();
     good = hn::Min(good, finish());
     for (std::size_t i = 0; i < s_.rows; ++i)
@@ -61,9 +55,6 @@ class Solver {
   HWY_INLINE static double* at(double* p, std::size_t k) { return p + k * stride; }
   HWY_INLINE double* at(double* p, std::size_t row, std::size_t c) const {
     return p + (row * monomials() + c) * stride;
-  }
-  HWY_INLINE double* tile_at(std::size_t i, std::size_t j) const {
-    return matrix_ + (i * (i + 1) / 2 + j) * tile * tile * stride;
   }
   HWY_INLINE Vec presence(std::size_t row) const { return load(s_.presence.data() + row * stride + lane_); }
   HWY_INLINE const double* point(std::size_t row) const {
@@ -150,15 +141,11 @@ class Solver {
           sums[c] = hn::MulAdd(a, load(at(v_, j, c)), sums[c]);
           store(hn::MulAdd(a, own[c], load(at(y_, j, c))), at(y_, j, c));
         }
-        if (j >= m) store(a, element(i - m, j - m));
+        if (j >= m) store(a, matrix_.element(i - m, j - m));
       }
       for (std::size_t c = 0; c < m; ++c) store(sums[c], at(y_, i, c));
-      if (i >= m) store(diagonal, element(i - m, i - m));
+      if (i >= m) store(diagonal, matrix_.element(i - m, i - m));
     }
-  }
-
-  HWY_INLINE double* element(std::size_t i, std::size_t j) const {
-    return tile_at(i / tile, j / tile) + (i % tile * tile + j % tile) * stride;
   }
 
   /// QᵀAQ = A − V Wᵀ − W Vᵀ with X = Y T, S = Tᵀ Vᵀ X and W = X − V S/2.
@@ -190,7 +177,7 @@ class Solver {
       Vec v[most], w[most];
       for (std::size_t c = 0; c < m; ++c) v[c] = load(at(v_, i, c)), w[c] = load(at(w_, i, c));
       for (std::size_t j = m; j <= i; ++j) {
-        double* place = element(i - m, j - m);
+        double* place = matrix_.element(i - m, j - m);
         Vec a = load(place), other = zero;
         for (std::size_t c = 0; c < m; ++c) {
           a = hn::NegMulAdd(v[c], load(at(w_, j, c)), a);
@@ -216,64 +203,11 @@ class Solver {
     }
   }
 
-  /// Cholesky factorisation by tiles, in place; the diagonal holds reciprocals. Returns 1 where definite.
-  HWY_NOINLINE Vec factor() {
-    const std::size_t tiles = (s_.rows - monomials()) / tile;
-    Vec good = set(1.0);
-    for (std::size_t j = 0; j < tiles; ++j)
-      for (std::size_t i = j; i < tiles; ++i) {
-        Vec sum[tile][tile];
-        double* target = tile_at(i, j);
-        for (std::size_t r = 0; r < tile; ++r)
-          for (std::size_t c = 0; c < tile; ++c) sum[r][c] = load(at(target, r * tile + c));
-        const double* left = tile_at(i, 0);
-        const double* right = tile_at(j, 0);
-        for (std::size_t k = 0; k < j; ++k, left += tile * tile * stride, right += tile * tile * stride)
-          for (std::size_t q = 0; q < tile; ++q) {
-            Vec b[tile];
-            for (std::size_t c = 0; c < tile; ++c) b[c] = load(right + (c * tile + q) * stride);
-            for (std::size_t r = 0; r < tile; ++r) {
-              const Vec a = load(left + (r * tile + q) * stride);
-              for (std::size_t c = 0; c < tile; ++c) sum[r][c] = hn::NegMulAdd(a, b[c], sum[r][c]);
-            }
-          }
-        const double* diagonal = tile_at(j, j);
-        for (std::size_t c = 0; c < tile; ++c) {
-          if (i == j) {
-            const auto positive = hn::Gt(sum[c][c], set(1e-15));
-            good = hn::IfThenElseZero(positive, good);
-            sum[c][c] = hn::Div(set(1.0), hn::Sqrt(hn::IfThenElse(positive, sum[c][c], set(1.0))));
-          }
-          const Vec inverse = i == j ? sum[c][c] : load(diagonal + (c * tile + c) * stride);
-          for (std::size_t r = i == j ? c + 1 : 0; r < tile; ++r) {
-            sum[r][c] = hn::Mul(sum[r][c], inverse);
-            for (std::size_t d = c + 1; d < tile; ++d) {
-              const Vec l = i == j ? sum[d][c] : load(diagonal + (d * tile + c) * stride);
-              if (i != j || d <= r) sum[r][d] = i == j && d > r ? sum[r][d] : hn::NegMulAdd(sum[r][c], l, sum[r][d]);
-            }
-          }
-        }
-        for (std::size_t r = 0; r < tile; ++r)
-          for (std::size_t c = 0; c < tile; ++c) store(sum[r][c], at(target, r * tile + c));
-      }
-    return good;
-  }
-
   /// solution = (L Lᵀ)⁻¹ unit below the monomials' rows, 0 above.
   void substitute() {
-    const std::size_t n = s_.rows, m = monomials();
+    const std::size_t m = monomials();
     for (std::size_t i = 0; i < m; ++i) store(hn::Zero(Lanes()), at(solution_, i));
-    for (std::size_t i = m; i < n; ++i) {
-      Vec sum = load(at(unit_, i));
-      for (std::size_t j = m; j < i; ++j) sum = hn::NegMulAdd(load(element(i - m, j - m)), load(at(solution_, j)), sum);
-      store(hn::Mul(sum, load(element(i - m, i - m))), at(solution_, i));
-    }
-    for (std::size_t i = n; i-- > m;) {
-      const Vec x = hn::Mul(load(at(solution_, i)), load(element(i - m, i - m)));
-      store(x, at(solution_, i));
-      for (std::size_t j = m; j < i; ++j)
-        store(hn::NegMulAdd(x, load(element(i - m, j - m)), load(at(solution_, j))), at(solution_, j));
-    }
+    matrix_.solve(at(unit_, m), at(solution_, m));
   }
 
   /// Reflects back and scales; 1 where the result is usable.
@@ -310,7 +244,8 @@ class Solver {
   LocalSystems& s_;
   std::size_t lane_;
   Eigen::Index count_;
-  double *p_, *v_, *y_, *w_, *t_, *gram_, *small_, *a_, *b_, *unit_, *solution_, *matrix_;
+  double *p_, *v_, *y_, *w_, *t_, *gram_, *small_, *a_, *b_, *unit_, *solution_;
+  LaneCholesky matrix_;
 };
 
 template <int M>
