@@ -76,7 +76,7 @@ std::vector<Segment> all_segments(const LabelMap& map) {
 
 std::vector<Segment> chosen_segments(const LabelMap& map, const std::string& choice, const std::string& where) {
   std::vector<Segment> all = all_segments(map);
-  if (all.empty()) throw InputError(where, "it has no labels", "give an image with labels, this one has none");
+  if (all.empty()) throw InputError(where, "no voxel has a label", "give a label image in which an organ is marked");
   if (choice == "all") return all;
   std::vector<Segment> chosen = kept(all, [&](const Segment& segment) { return segment.name == choice; });
   if (chosen.empty())

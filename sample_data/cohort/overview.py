@@ -23,6 +23,7 @@ COLUMNS = {
     "contradiction_mm": "largest contradiction of slices, mm",
     "peak_mb": "memory, MB",
 }
+DECIMALS = {"volume_cm3": 2, "area_cm2": 1, "components": 0, "genus": 0, "residual_mm": 3, "contradiction_mm": 3, "peak_mb": 0}
 LIMIT = 3.5
 ONLY_LARGE = {"residual_mm", "contradiction_mm", "peak_mb"}  # little of these is no fault
 
@@ -80,13 +81,19 @@ def table_of(rows):
 
 def cell(row, column):
     value = row.get(column)
-    text = "" if value is None else f"{value:.4g}" if isinstance(value, float) else html.escape(str(value))
-    return f'<td class="{"outlier" if column in row["outliers"] else ""}">{text}</td>'
+    text = "" if value is None else f"{value:.{DECIMALS[column]}f}"
+    return f'<td class="number{" outlier" if column in row["outliers"] else ""}">{text}</td>'
+
+
+def listed(rows):
+    """": " and a link to the row of each of them, if there is one."""
+    links = ", ".join(f'<a href="#{html.escape(row["id"])}">{html.escape(row["id"])}</a>' for row in rows)
+    return ": " + links if links else ""
 
 
 def page_of(rows):
-    failed = sum(row["status"] != "done" for row in rows)
-    marked = sum(bool(row["outliers"]) for row in rows)
+    failed = [row for row in rows if row["status"] != "done"]
+    marked = [row for row in rows if row["outliers"]]
     head = "".join(f"<th>{html.escape(title)}</th>" for title in ("case", "picture", *COLUMNS.values(), "remark"))
     body = ""
     for row in rows:
@@ -94,7 +101,7 @@ def page_of(rows):
         picture = f'<img src="cases/{name}/picture.png" alt="{name}" loading="lazy">' if row["status"] == "done" else ""
         far = ", ".join(COLUMNS[column].split(",")[0] for column in row["outliers"])
         remark = html.escape(row["message"]) or (f"far from the others: {far}" if far else "")
-        body += (f'<tr class="{row["status"]}"><td><a href="cases/{name}/result.json">{name}</a></td><td>{picture}</td>'
+        body += (f'<tr class="{row["status"]}" id="{name}"><td><a href="cases/{name}/result.json">{name}</a></td><td>{picture}</td>'
                  + "".join(cell(row, column) for column in COLUMNS) + f"<td>{remark}</td></tr>\n")
     return f"""<!doctype html>
 <html lang="en"><meta charset="utf-8"><title>isostack cohort</title>
@@ -103,11 +110,14 @@ body {{ font-family: sans-serif; margin: 2em; }}
 table {{ border-collapse: collapse; }}
 th, td {{ border-bottom: 1px solid #ccc; padding: 0.3em 0.7em; text-align: left; vertical-align: middle; }}
 img {{ width: 160px; }}
+td.number {{ text-align: right; font-variant-numeric: tabular-nums; }}
 tr.failed {{ background: #fbe3e1; }}
 td.outlier {{ background: #fff0b8; font-weight: bold; }}
 </style>
 <h1>{len(rows)} cases</h1>
-<p>{len(rows) - failed} finished, {failed} failed, {marked} with values far from the others (yellow). Research software, not for clinical use.</p>
+<p>{len(rows) - len(failed)} finished. Research software, not for clinical use.</p>
+<p>{len(failed)} failed{listed(failed)}</p>
+<p>{len(marked)} with values far from the others (yellow){listed(marked)}</p>
 <table><tr>{head}</tr>
 {body}</table></html>
 """

@@ -35,6 +35,8 @@ def check_overview(out, names):
     assert 70 < float(rows["sound00"]["volume_cm3"]) < 80, rows["sound00"]
     page = (out / "overview.html").read_text()
     assert page.count('class="failed"') == 3 and page.count("<img") == SOUND, page
+    for name in failed:
+        assert f'href="#{name}"' in page and f'id="{name}"' in page, name
     for name in set(names) - set(failed):
         assert (out / f"cases/{name}/picture.png").stat().st_size > 1000
 
