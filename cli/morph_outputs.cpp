@@ -5,13 +5,13 @@
 #include <algorithm>
 
 #include "cli/outputs.h"
-#include "cli/spacetime.h"
 #include "io/atomic_folder.h"
 #include "io/contours/contour_files.h"
 #include "io/formats.h"
 #include "io/images/write_pictures.h"
 #include "io/meshes/write_mesh.h"
 #include "recon/geometry/errors.h"
+#include "recon/morphing/spacetime_surface.h"
 #include "viewers/contact_sheet.h"
 
 namespace isostack::cli {
@@ -82,6 +82,23 @@ bool needs_pictures(const fs::path& path, const MorphOutputs& outputs, bool figu
          (kind == OutputKind::folder && folder_format(outputs, figures) == "png");
 }
 
+TriangleMesh swept_surface(const std::vector<MorphFrame>& frames, const Morph& morph, const Progress& progress) {
+  if (auto mesh = spacetime_surface(morph, frames.front().figure().pose, progress)) return *std::move(mesh);
+  throw InputError("-o", "a level-set morph, or shapes that do not lie on a line, have no surface in space-time",
+                   "take another method, leave out --path, or write contours (.json, .vtp)");
+}
+
+ContourStack swept_slices(const std::vector<MorphFrame>& frames, const Morph& morph) {
+  std::vector<ContourSlice> figures;
+  std::vector<Eigen::VectorXd> weights;
+  for (const MorphFrame& frame : frames) {
+    figures.push_back(frame.figure());
+    figures.back().name = frame.name;
+    weights.push_back(frame.weights);
+  }
+  return spacetime_slices(morph, figures, weights);
+}
+
 }  // namespace
 
 void require_writable(const MorphOutputs& outputs) {
@@ -120,8 +137,8 @@ MorphProducts products_for(const std::vector<MorphFrame>& frames, const Morph& m
   if (any([&](const fs::path& path) { return needs_pictures(path, outputs, figures); }))
     products.pictures = pictures_of(frames, outputs.pictures, progress);
   if (figures && any([](const fs::path& path) { return kind_of(path, true) == OutputKind::mesh; }))
-    products.spacetime = spacetime_surface(morph, frames.front().figure().pose, progress);
-  if (figures) products.slices = spacetime_slices(frames, morph);
+    products.spacetime = swept_surface(frames, morph, progress);
+  if (figures) products.slices = swept_slices(frames, morph);
   progress.report("write", 0);
   return products;
 }

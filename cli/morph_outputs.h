@@ -33,8 +33,8 @@ struct MorphProducts {
   ContourStack slices;
 };
 
-/// Makes them. After that nothing is refused or stopped any more. Throws InputError as pictures_of() and
-/// spacetime_surface() do.
+/// Makes them. After that nothing is refused or stopped any more. Throws InputError as pictures_of() does, and when
+/// the morph has no surface in space-time for an output to hold.
 MorphProducts products_for(const std::vector<MorphFrame>& frames, const Morph& morph, const MorphOutputs& outputs,
                            const Progress& progress);
 

@@ -4,7 +4,9 @@
 #include "python/bindings.h"
 #include "python/progress.h"
 #include "python/struct_class.h"
+#include "recon/geometry/errors.h"
 #include "recon/morphing/morph.h"
+#include "recon/morphing/spacetime_surface.h"
 #include "recon/morphing/warp.h"
 
 namespace isostack::python {
@@ -80,6 +82,16 @@ std::vector<Shape> frames_of(const Morph& morph, const std::variant<std::size_t,
   });
 }
 
+ContourStack slices_of(const Morph& morph, const std::vector<ContourSlice>& figures,
+                       const std::vector<Eigen::VectorXd>& weights) {
+  if (figures.empty() || figures.size() != weights.size())
+    throw InputError(
+        "spacetime_slices",
+        std::to_string(figures.size()) + " figures and " + std::to_string(weights.size()) + " lists of weights",
+        "give one list of weights for each figure, and one figure at least");
+  return spacetime_slices(morph, figures, weights);
+}
+
 }  // namespace
 
 void bind_morph(py::module_& core) {
@@ -113,8 +125,18 @@ void bind_morph(py::module_& core) {
       "The weights of the place at t.");
   morph.def_property_readonly(
       "report", [](const Morph& self) { return self.report(); }, "what was done");
-  morph.def("spacetime_mesh", &Morph::spacetime_mesh, py::call_guard<py::gil_scoped_release>(),
-            "Of a method that has the surface of figures in space-time as a mesh: slice mm and t mm; else None.");
+  morph.def(
+      "spacetime_surface",
+      [](const Morph& self, const SlicePose& pose, const py::object& progress) {
+        return without_lock(progress, [&](const Progress& p) { return spacetime_surface(self, pose, p); });
+      },
+      py::arg("pose"), py::arg("progress") = py::none(),
+      "The surface that all figures sweep, t in mm along the normal of `pose`, the pose of a frame; world LPS mm, open "
+      "at both ends. None: level-set morphs, bodies, and shapes that do not lie on a line have none.");
+  morph.def(
+      "spacetime_slices", &slices_of, py::arg("figures"), py::arg("weights"),
+      "Frames as slices of one stack, each as far along the normal as it is in the extra dimensions: the sections "
+      "of spacetime_surface(). One list of weights for each figure.");
   core.def("weights_along_path", &weights_along_path, py::arg("corners"), py::arg("count"),
            "`count` weights, evenly along straight lines from each corner of a path to the next.");
   core.def("warped_morph", &warped_morph, py::arg("shapes"), py::arg("landmarks"), py::arg("make_morph"));

@@ -55,6 +55,19 @@ class Figures(unittest.TestCase):
         path = isostack.weights_along_path(corners, 3)
         self.assertEqual(len(morph.frames(path)), 3)
 
+    def test_the_surface_that_figures_sweep(self):
+        morph = isostack.morph([disc(10, "first"), disc(10, "last")], "signed-distance")  # a cylinder
+        frames = morph.frames(3)
+        length_mm = morph.report.spacing_mm
+        swept = morph.spacetime_surface(frames[0].pose)
+        self.assertAlmostEqual(isostack.measure(swept).area_mm2 / (2 * np.pi * 10 * length_mm), 1, delta=0.01)
+        np.testing.assert_allclose([swept.vertices_mm[:, 2].min(), swept.vertices_mm[:, 2].max()], [0, length_mm], atol=1e-9)
+        stack = morph.spacetime_slices(frames, [morph.weights_at(t) for t in (0, 0.5, 1)])
+        np.testing.assert_allclose([s.pose.origin_mm[2] for s in stack.slices], [0, length_mm / 2, length_mm])
+        with self.assertRaises(isostack.InputError):
+            morph.spacetime_slices(frames, [[1, 0]])
+        self.assertIsNone(isostack.level_set_morph([disc(10, "first"), disc(6, "last")]).spacetime_surface(frames[0].pose))
+
     def test_landmarks(self):
         first, last = square(8, "square"), square(8, "turned")
         corners = [(12, 12, 0), (28, 12, 0), (28, 28, 0), (12, 28, 0)]
