@@ -85,16 +85,26 @@ void convert_contours(const ConvertCommand& command, Session& session) {
 }
 
 /// The mesh cut with the planes of --like.
-void cut_mesh(const TriangleMesh& mesh, const ConvertCommand& command) {
+void cut_mesh(const TriangleMesh& mesh, const ConvertCommand& command, Session& session) {
   ContourStack organ{.name = mesh.name, .slices = series_planes(write_options(command)), .color = mesh.color};
-  for (ContourSlice& slice : organ.slices) slice.contours = plane_section(mesh, slice.pose);
+  std::size_t left_out = 0;
+  for (ContourSlice& slice : organ.slices) {
+    SectionLines lines = section_lines(mesh, slice.pose);
+    slice.contours = std::move(lines.closed);
+    left_out += lines.open.size();
+  }
+  if (left_out > 0)
+    session.note(
+        fmt::format("{}: the mesh is open; {} of its lines on the planes do not close and are left out; "
+                    "`convert --mend` to a mesh closes it first",
+                    command.path().string(), left_out));
   write_contours({organ}, command.output, write_options(command));
 }
 
 void convert_mesh(const ConvertCommand& command, Session& session) {
   TriangleMesh mesh = read_mesh(command.path(), command.input_axes == "ras" ? MeshAxes::ras : MeshAxes::lps);
   const bool as_contours = find_format(command.output, &Format::write_contours) && !command.like.series.empty();
-  if (as_contours) return cut_mesh(mesh, command);
+  if (as_contours) return cut_mesh(mesh, command, session);
   if (!find_format(command.output, &Format::write_mesh))
     throw_other_kind(
         command, "a mesh",

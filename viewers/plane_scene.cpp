@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "recon/surface/plane_section.h"
+#include "viewers/cut_lines.h"
 #include "viewers/palette.h"
 
 namespace isostack {
@@ -31,7 +31,7 @@ Scene plane_scene(const Scene& scene, const ViewPlane& plane) {
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const SceneSurface& surface = scene.surfaces[i];
     if (!surface.visible) continue;
-    std::vector<Contour> cut = plane_section(surface.mesh, plane.pose);
+    std::vector<Contour> cut = cut_lines(surface.mesh, plane.pose);
     if (cut.empty()) continue;
     ContourSlice slice{.name = surface.mesh.name, .pose = plane.pose, .contours = std::move(cut)};
     slice.pose.origin_mm -= 1e-3 * plane.pose.normal();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace isostack {
@@ -19,9 +20,11 @@ struct Step {
   bool used = false;
 };
 
+using Steps = std::map<Edge, Step>;
+
 /// Each triangle cut by the plane leads from one of its edges to another, the inside (its back) to the left.
-std::map<Edge, Step> steps_through(const TriangleMesh& mesh, const std::vector<double>& height_mm) {
-  std::map<Edge, Step> steps;
+Steps steps_through(const TriangleMesh& mesh, const std::vector<double>& height_mm) {
+  Steps steps;
   for (const Eigen::Vector3i& t : mesh.triangles) {
     bool above[3];
     for (int c = 0; c < 3; ++c) above[c] = height_mm[static_cast<std::size_t>(t[c])] >= 0;
@@ -37,33 +40,72 @@ std::map<Edge, Step> steps_through(const TriangleMesh& mesh, const std::vector<d
   return steps;
 }
 
+/// The edges from `at` on, up to one that was followed before or that no step leaves.
+std::vector<Edge> followed(Steps& steps, Steps::iterator at) {
+  std::vector<Edge> edges = {at->first};
+  while (at != steps.end() && !at->second.used) {
+    at->second.used = true;
+    edges.push_back(at->second.next);
+    at = steps.find(at->second.next);
+  }
+  return edges;
+}
+
+/// Takes the lines that end where they begin out of `steps`.
+std::vector<std::vector<Edge>> take_loops(Steps& steps) {
+  std::vector<std::vector<Edge>> loops;
+  Steps rest;
+  for (auto at = steps.begin(); at != steps.end(); ++at) {
+    if (at->second.used) continue;
+    std::vector<Edge> edges = followed(steps, at);
+    if (edges.back() == edges.front()) {
+      edges.pop_back();
+      loops.push_back(std::move(edges));
+      continue;
+    }
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i) rest[edges[i]] = {edges[i + 1]};
+  }
+  steps = std::move(rest);
+  return loops;
+}
+
+/// The lines of what is left, each from one end to the other.
+std::vector<std::vector<Edge>> take_open_lines(Steps& steps) {
+  std::set<Edge> reached;
+  for (const auto& [edge, step] : steps) reached.insert(step.next);
+  std::vector<std::vector<Edge>> lines;
+  for (auto at = steps.begin(); at != steps.end(); ++at)
+    if (!reached.contains(at->first)) lines.push_back(followed(steps, at));
+  return lines;
+}
+
 }  // namespace
 
-std::vector<Contour> plane_section(const TriangleMesh& mesh, const SlicePose& pose) {
+SectionLines section_lines(const TriangleMesh& mesh, const SlicePose& pose) {
   std::vector<double> height_mm(mesh.vertices_mm.size());
   std::transform(mesh.vertices_mm.begin(), mesh.vertices_mm.end(), height_mm.begin(),
                  [&](const Eigen::Vector3d& v) { return pose.signed_distance_mm(v); });
-  const auto crossing = [&](const Edge& edge) -> Eigen::Vector2d {
-    const auto a = static_cast<std::size_t>(edge.first), b = static_cast<std::size_t>(edge.second);
-    const double share = height_mm[a] / (height_mm[a] - height_mm[b]);
-    return pose.world_to_slice(mesh.vertices_mm[a] + share * (mesh.vertices_mm[b] - mesh.vertices_mm[a]));
-  };
-  std::map<Edge, Step> steps = steps_through(mesh, height_mm);
-  std::vector<Contour> contours;
-  for (auto& [start, first] : steps) {
-    if (first.used) continue;
-    Contour contour;
-    auto at = steps.find(start);
-    while (at != steps.end() && !at->second.used) {
-      at->second.used = true;
-      contour.points_mm.push_back(crossing(at->first));
-      at = steps.find(at->second.next);
+  const auto points_of = [&](const std::vector<Edge>& edges) {
+    std::vector<Eigen::Vector2d> points;
+    for (const auto& [a, b] : edges) {
+      const auto from = static_cast<std::size_t>(a), to = static_cast<std::size_t>(b);
+      const double share = height_mm[from] / (height_mm[from] - height_mm[to]);
+      points.push_back(
+          pose.world_to_slice(mesh.vertices_mm[from] + share * (mesh.vertices_mm[to] - mesh.vertices_mm[from])));
     }
-    const bool closed = at != steps.end() && at->first == start;
-    if (closed && contour.points_mm.size() >= 3) contours.push_back(std::move(contour));
-  }
-  orient_by_nesting(contours);
-  return contours;
+    return points;
+  };
+  Steps steps = steps_through(mesh, height_mm);
+  SectionLines lines;
+  for (const std::vector<Edge>& loop : take_loops(steps))
+    if (loop.size() >= 3) lines.closed.push_back({.points_mm = points_of(loop)});
+  for (const std::vector<Edge>& line : take_open_lines(steps)) lines.open.push_back(points_of(line));
+  orient_by_nesting(lines.closed);
+  return lines;
+}
+
+std::vector<Contour> plane_section(const TriangleMesh& mesh, const SlicePose& pose) {
+  return section_lines(mesh, pose).closed;
 }
 
 }  // namespace isostack

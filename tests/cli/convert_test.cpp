@@ -109,6 +109,19 @@ TEST_F(ConvertTest, AMeshIsCutOnTheSlicesOfAVolume) {
   EXPECT_NEAR(signed_area_mm2(organs[0].slices[1].contours.at(0)), 2 * 22 * 22, 0.01);
 }
 
+TEST_F(ConvertTest, LinesOfAnOpenMeshThatDoNotCloseAreTold) {
+  StoredVolume volume = ramp();
+  volume.header.grid.index_to_world.translation() = Eigen::Vector3d(-7, 8, 300);
+  write_volume(volume, path("grid.nrrd"));
+  TriangleMesh open = octahedron();
+  open.triangles.pop_back();
+  write_mesh(open, path("open.stl"));
+  const ProgramRun run =
+      isostack("convert " + path("open.stl") + " --like " + path("grid.nrrd") + " -o " + path("b.json"));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE((run.out + run.err).find("lines on the planes do not close"), std::string::npos) << run.out << run.err;
+}
+
 TEST_F(ConvertTest, OtherKindsAreRefusedBeforeAnythingIsWritten) {
   write_mesh(octahedron(), path("mesh.vtp"));
   write_contours(two_organs(), path("contours.vtp"));

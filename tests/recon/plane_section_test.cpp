@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -48,6 +49,39 @@ TEST(PlaneSection, ThroughAFaceOfABoxIsThereOrNotButClosed) {
   const auto at_top = plane_section(box, top);
   ASSERT_EQ(at_top.size(), 1u);
   EXPECT_NEAR(signed_area_mm2(at_top[0]), 100, 1e-9);
+}
+
+/// A sphere about the origin without the triangles that reach below this x.
+TriangleMesh cut_open(double x_mm) {
+  TriangleMesh mesh = sphere_mesh({0, 0, 0}, 20, 120, 80);
+  std::erase_if(mesh.triangles, [&](const Eigen::Vector3i& t) {
+    return std::min({mesh.vertices_mm[static_cast<std::size_t>(t[0])].x(),
+                     mesh.vertices_mm[static_cast<std::size_t>(t[1])].x(),
+                     mesh.vertices_mm[static_cast<std::size_t>(t[2])].x()}) < x_mm;
+  });
+  return mesh;
+}
+
+TEST(PlaneSection, OfAnOpenMeshIsALineFromEdgeToEdge) {
+  const TriangleMesh open = cut_open(-10);
+  const SlicePose equator = pose_at({0, 0, 0.1}, {1, 0, 0}, {0, 1, 0});
+  EXPECT_TRUE(plane_section(open, equator).empty());
+  const SectionLines lines = section_lines(open, equator);
+  ASSERT_EQ(lines.open.size(), 1u);
+  const std::vector<Eigen::Vector2d>& line = lines.open[0];
+  double length_mm = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length_mm += (line[i] - line[i - 1]).norm();
+  EXPECT_NEAR(length_mm, 20 * 2 * (std::numbers::pi - std::acos(0.5)), 2.2);  // two triangles of 1.05 mm at the ends
+  EXPECT_LT(line.front().x(), -8.5);
+  EXPECT_LT(line.back().x(), -8.5);
+  EXPECT_GT(std::abs(line.front().y() - line.back().y()), 30);
+}
+
+TEST(PlaneSection, OfAMeshOpenElsewhereIsClosed) {
+  const SectionLines lines = section_lines(cut_open(-10), pose_at({12, 0, 0}, {0, 1, 0}, {0, 0, 1}));
+  EXPECT_TRUE(lines.open.empty());
+  ASSERT_EQ(lines.closed.size(), 1u);
+  EXPECT_NEAR(signed_area_mm2(lines.closed[0]), std::numbers::pi * 16 * 16, 2);
 }
 
 TEST(PlaneSection, BesideTheMeshIsEmpty) {

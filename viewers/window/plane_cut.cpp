@@ -5,14 +5,14 @@
 #include <algorithm>
 
 #include "recon/geometry/pixel_lattice.h"
-#include "recon/surface/plane_section.h"
+#include "viewers/cut_lines.h"
 
 namespace isostack {
 
 PlaneCut cut_by_plane(const ViewPlane& plane, const Scene& scene, const std::vector<int>& surface_of_organ) {
   PlaneCut cut;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
-    if (scene.surfaces[i].visible) cut.lines.push_back({i, plane_section(scene.surfaces[i].mesh, plane.pose)});
+    if (scene.surfaces[i].visible) cut.lines.push_back({i, cut_lines(scene.surfaces[i].mesh, plane.pose)});
   for (const ViewPlane::Drawn& drawn : plane.contours) {
     if (drawn.organ >= surface_of_organ.size()) continue;
     const auto line = std::find_if(cut.lines.begin(), cut.lines.end(), [&](const PlaneCut::Line& one) {

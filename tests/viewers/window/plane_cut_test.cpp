@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tests/support/analytic_meshes.h"
 #include "tests/support/analytic_shapes.h"
 
@@ -38,6 +40,21 @@ TEST(PlaneCut, SaysWhenTheSurfaceMissesAContour) {
   scene.surfaces = scene_surfaces({testing_support::sphere_mesh({0, 0, 40}, 12, 40, 20)});
   scene.contours = scene_contours({testing_support::sphere_cuts(10, {}, {0}, 40)});
   EXPECT_EQ(to_text(cut_by_plane(view_planes(scene)[0], scene, {0}), scene), "sphere: the surface misses the contour");
+}
+
+TEST(PlaneCut, OpenSurfacesHaveLinesToo) {
+  TriangleMesh half = testing_support::sphere_mesh({0, 0, 0}, 12, 80, 40);
+  std::erase_if(half.triangles, [&](const Eigen::Vector3i& corners) {
+    const auto is_left = [&](int vertex) { return half.vertices_mm[static_cast<std::size_t>(vertex)].x() < -0.1; };
+    return is_left(corners[0]) || is_left(corners[1]) || is_left(corners[2]);
+  });
+  Scene scene;
+  scene.surfaces = scene_surfaces({half});
+  scene.contours = scene_contours({testing_support::sphere_cuts(10, {}, {0.1, 11}, 200)});
+  const PlaneCut cut = cut_by_plane(view_planes(scene)[0], scene, {0});
+  ASSERT_EQ(cut.lines.size(), 1U);
+  ASSERT_EQ(cut.lines[0].contours.size(), 1U);
+  EXPECT_NEAR(perimeter_mm(cut.lines[0].contours[0]), 2 * std::numbers::pi * 12, 2);  // a half circle there and back
 }
 
 }  // namespace
