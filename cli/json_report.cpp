@@ -63,9 +63,13 @@ nlohmann::json to_json(const ReconstructReport& report) {
 }
 
 nlohmann::json to_json(const SliceAgreement& agreement) {
-  nlohmann::json result = {
-      {"dice", agreement.dice},      {"slices", agreement.slices},          {"one_sided_slices", agreement.one_sided},
-      {"mean_distance_mm", nullptr}, {"percentile95_distance_mm", nullptr}, {"largest_distance_mm", nullptr}};
+  nlohmann::json result = {{"dice", agreement.dice},
+                           {"slices", agreement.slices},
+                           {"one_sided_slices", agreement.one_sided},
+                           {"missed_contours", agreement.missed},
+                           {"mean_distance_mm", nullptr},
+                           {"percentile95_distance_mm", nullptr},
+                           {"largest_distance_mm", nullptr}};
   if (!agreement.has_distances) return result;
   result["mean_distance_mm"] = agreement.mean_mm;
   result["percentile95_distance_mm"] = agreement.percentile95_mm;

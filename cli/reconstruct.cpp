@@ -134,6 +134,10 @@ void note_what_was_left_out(const Reconstruction& surface, double thin_mm, Sessi
   if (report.open_end)
     session.note(surface.surface.name +
                  ": the organ goes on beyond the outermost slices; the surface ends flat, half a gap outside");
+  if (report.sections.missed > 0)
+    session.note(
+        fmt::format("{}: {} contours have no section of the surface near them; a finer --resolution may show them",
+                    surface.surface.name, report.sections.missed));
   if (report.contour_points_without_surface > 0)
     session.note(fmt::format("{}: {} contour points have no surface near them; a finer --resolution may show it",
                              surface.surface.name, report.contour_points_without_surface));

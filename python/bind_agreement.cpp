@@ -46,6 +46,7 @@ void bind_agreement(py::module_& core) {
   StructClass<S>(core, "SliceAgreement", "How contours agree with those they should be, over several slices.\n")
       .result("slices", &S::slices, "compared")
       .result("one_sided", &S::one_sided, "slices on which only one of the two has contours: only Dice sees them")
+      .result("missed", &S::missed, "contours of the truth farther than their own width from all that was found")
       .result("dice", &S::dice, "2|A∩B| / (|A|+|B|), over pixels")
       .result("has_distances", &S::has_distances, "False: the distances mean nothing")
       .result("mean_mm", &S::mean_mm, "mean of the two directions' means, mm")

@@ -3,11 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
+#include "recon/geometry/disjoint_sets.h"
 #include "recon/geometry/errors.h"
 #include "recon/metrics/mesh_measures.h"
 #include "recon/metrics/surface_distance.h"
@@ -108,19 +108,13 @@ std::vector<MeshSample> spread_over(const TriangleMesh& mesh, std::size_t most, 
 
 /// The mesh's triangles by the connected part they belong to.
 std::vector<std::vector<Eigen::Vector3i>> parts_of(const TriangleMesh& mesh) {
-  std::vector<int> parent(mesh.vertices_mm.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int v) {
-    const auto above = [&](int u) -> int& { return parent[static_cast<std::size_t>(u)]; };
-    while (above(v) != v) v = above(v) = above(above(v));
-    return v;
-  };
+  DisjointSets sets(mesh.vertices_mm.size());
   for (const Eigen::Vector3i& t : mesh.triangles)
-    for (int i = 0; i < 2; ++i) parent[static_cast<std::size_t>(root(t[i]))] = root(t[i + 1]);
+    for (int i = 0; i < 2; ++i) sets.join(static_cast<std::size_t>(t[i]), static_cast<std::size_t>(t[i + 1]));
   std::vector<std::vector<Eigen::Vector3i>> parts;
-  std::unordered_map<int, std::size_t> number_of;
+  std::unordered_map<std::size_t, std::size_t> number_of;
   for (const Eigen::Vector3i& t : mesh.triangles) {
-    const std::size_t number = number_of.emplace(root(t[0]), parts.size()).first->second;
+    const std::size_t number = number_of.emplace(sets.root(static_cast<std::size_t>(t[0])), parts.size()).first->second;
     if (number == parts.size()) parts.emplace_back();
     parts[number].push_back(t);
   }

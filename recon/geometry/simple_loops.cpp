@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
+#include "recon/geometry/disjoint_sets.h"
 #include "recon/geometry/loop_edges.h"
 
 namespace isostack {
@@ -183,18 +183,12 @@ std::vector<int> groups_of(const std::vector<Contour>& contours, InsideRule rule
     std::fill(group.begin(), group.end(), 0);
     return group;
   }
-  std::vector<int> parent(contours.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int loop) {
-    while (parent[static_cast<std::size_t>(loop)] != loop) loop = parent[static_cast<std::size_t>(loop)];
-    return loop;
-  };
+  DisjointSets sets(contours.size());
   const auto meetings = LoopEdges(contours, tolerance_mm).meetings();
-  for (const auto& [a, b] : meetings) parent[static_cast<std::size_t>(root(a))] = root(b);
-  for (const auto& [a, b] : meetings) {
-    group[static_cast<std::size_t>(a)] = root(a);
-    group[static_cast<std::size_t>(b)] = root(b);
-  }
+  for (const auto& [a, b] : meetings) sets.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+  for (const auto& [a, b] : meetings)
+    for (const int loop : {a, b})
+      group[static_cast<std::size_t>(loop)] = static_cast<int>(sets.root(static_cast<std::size_t>(loop)));
   return group;
 }
 

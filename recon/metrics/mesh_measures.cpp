@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
+#include "recon/geometry/disjoint_sets.h"
 #include "recon/geometry/errors.h"
 
 namespace isostack {
@@ -48,22 +48,16 @@ std::size_t count_edges(const std::vector<Edge>& edges, MeshMeasures& measures) 
   return different;
 }
 
-std::size_t find_root(std::vector<std::size_t>& parent, std::size_t v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
-}
-
 }  // namespace
 
 MeshMeasures measure(const TriangleMesh& mesh) {
   MeshMeasures measures;
   measures.triangles = mesh.triangles.size();
-  std::vector<std::size_t> parent(mesh.vertices_mm.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  std::vector<bool> used(parent.size(), false);
+  DisjointSets parts(mesh.vertices_mm.size());
+  std::vector<bool> used(mesh.vertices_mm.size(), false);
   const Eigen::Vector3d reference_mm = mesh.vertices_mm.empty() ? Eigen::Vector3d(0, 0, 0) : mesh.vertices_mm.front();
   for (const Eigen::Vector3i& t : mesh.triangles) {
-    if (t.minCoeff() < 0 || t.maxCoeff() >= static_cast<int>(parent.size()))
+    if (t.minCoeff() < 0 || t.maxCoeff() >= static_cast<int>(used.size()))
       throw InputError(mesh.name.empty() ? "mesh" : mesh.name, "a triangle refers to a vertex that does not exist",
                        "write the mesh again");
     Eigen::Vector3d corner[3];
@@ -71,15 +65,15 @@ MeshMeasures measure(const TriangleMesh& mesh) {
       const auto v = static_cast<std::size_t>(t[c]);
       corner[c] = mesh.vertices_mm[v] - reference_mm;
       used[v] = true;
-      parent[find_root(parent, v)] = find_root(parent, static_cast<std::size_t>(t[0]));
+      parts.join(v, static_cast<std::size_t>(t[0]));
     }
     measures.volume_mm3 += corner[0].dot(corner[1].cross(corner[2])) / 6;
     measures.area_mm2 += (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm() / 2;
   }
-  for (std::size_t v = 0; v < parent.size(); ++v) {
+  for (std::size_t v = 0; v < used.size(); ++v) {
     if (!used[v]) continue;
     ++measures.vertices;
-    if (find_root(parent, v) == v) ++measures.components;
+    if (parts.root(v) == v) ++measures.components;
   }
   const std::size_t edges = count_edges(sorted_edges(mesh), measures);
   measures.euler_characteristic =

@@ -14,6 +14,7 @@ namespace isostack {
 struct SliceAgreement {
   std::size_t slices = 0;
   std::size_t one_sided = 0;   ///< slices on which only one of the two has contours: only Dice sees them
+  std::size_t missed = 0;      ///< contours of the truth farther than their own width from all that was found
   double dice = 1;             ///< 2|A∩B| / (|A|+|B|)
   bool has_distances = false;  ///< false: no slice has contours on both sides, the distances mean nothing
   double mean_mm = 0;          ///< mean of the two directions' means
@@ -29,7 +30,7 @@ class SliceComparison {
   SliceAgreement agreement() const;
 
  private:
-  std::size_t slices_ = 0, one_sided_ = 0;
+  std::size_t slices_ = 0, one_sided_ = 0, missed_ = 0;
   std::size_t in_found_ = 0, in_truth_ = 0, in_both_ = 0;  ///< pixels
   std::vector<double> to_truth_mm_, to_found_mm_;
 };

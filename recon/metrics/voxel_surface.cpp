@@ -2,8 +2,9 @@
 
 #include <array>
 #include <cstdint>
-#include <numeric>
 #include <unordered_map>
+
+#include "recon/geometry/disjoint_sets.h"
 
 namespace isostack {
 
@@ -52,20 +53,6 @@ class VoxelFaces {
   std::vector<Face> faces_;
 };
 
-/// Which corners of which faces are one vertex: those joined through shared edges.
-class CornerSets {
- public:
-  explicit CornerSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t root(std::size_t corner) {
-    while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
-    return corner;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 /// An edge of the lattice of corners: its lower end and its axis.
 std::uint64_t edge_key(const Vector3i& a, const Vector3i& b, const Vector3i& size) {
   const Vector3i low = a.cwiseMin(b);
@@ -82,13 +69,14 @@ struct FacesAtEdge {
   int count = 0;
 };
 
-void join_across(std::size_t a, std::size_t b, CornerSets& sets) {
+void join_across(std::size_t a, std::size_t b, DisjointSets& sets) {
   const auto next = [](std::size_t side) { return side / 4 * 4 + (side + 1) % 4; };
   sets.join(a, next(b));  // neighbours run along their common edge in opposite directions
   sets.join(next(a), b);
 }
 
-void join_corners(const std::vector<Face>& faces, const Vector3i& size, CornerSets& sets) {
+/// Corners of faces are one vertex when they are joined through shared edges.
+void join_corners(const std::vector<Face>& faces, const Vector3i& size, DisjointSets& sets) {
   std::unordered_map<std::uint64_t, FacesAtEdge> edges;
   edges.reserve(faces.size() * 2);
   for (std::size_t f = 0; f < faces.size(); ++f)
@@ -113,7 +101,7 @@ void join_corners(const std::vector<Face>& faces, const Vector3i& size, CornerSe
 TriangleMesh voxel_surface(const LabelVolume& labels) {
   const VoxelFaces all(labels);
   const std::vector<Face>& faces = all.faces();
-  CornerSets sets(4 * faces.size());
+  DisjointSets sets(4 * faces.size());
   join_corners(faces, labels.grid.size, sets);
   const bool mirrored = labels.grid.index_to_world.linear().determinant() < 0;
   TriangleMesh mesh;

@@ -126,6 +126,14 @@ INSTANTIATE_TEST_SUITE_P(Shapes, InputSections,
                                          Case{"crossing", crossing, 0.8}),
                          [](const auto& shape) { return shape.param.name; });
 
+TEST(AgreementAtInputs, ContoursThatNoSectionComesNearAreMissed) {
+  ContourStack cuts = sphere_cuts(20, {}, {0, 12, 24}, 400);
+  cuts.slices[0].contours.push_back(circle({21, 0}, 0.6, 8));  // 0.4 mm beside the section
+  cuts.slices[1].contours.push_back(circle({25, 0}, 0.6, 8));  // 8.4 mm
+  cuts.slices[2].contours.push_back(circle({0, 0}, 0.6, 8));   // where there is no section
+  EXPECT_EQ(agreement_at_inputs(sphere_mesh(Eigen::Vector3d::Zero(), 20, 400, 200), cuts).missed, 2u);
+}
+
 TEST(AgreementAtInputs, AreMeasuredBothWays) {
   // A sphere of radius 20 mm against a stack of contours 2 mm too small, and one slice that knows nothing of it.
   ContourStack cuts = sphere_cuts(20, {}, {0, 12}, 400);
