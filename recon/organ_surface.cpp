@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include "recon/geometry/errors.h"
 #include "recon/geometry/peak_memory.h"
 #include "recon/geometry/stopwatch.h"
+#include "recon/lost_contours.h"
 #include "recon/section_repairs.h"
 #include "recon/surface/cut_field.h"
 #include "recon/surface/extract_surface.h"
@@ -67,43 +67,20 @@ BoundedField bounded_field(const FittedOrgan& organ, const ReconstructOptions& o
 
 namespace {
 
-/// Specks this small fit between the cells' corners; they are counted, not missed.
-constexpr double speck_pixels = 2;
-
-/// Contours wider than a speck whose points are all without a surface, each by one of its samples.
-std::vector<ContourSample> lost_contours(const FittedOrgan& organ, const std::vector<std::size_t>& lost_seeds) {
-  using Loop = std::pair<std::size_t, std::size_t>;
-  std::map<Loop, std::size_t> samples_on, lost_on;
-  std::map<Loop, Eigen::AlignedBox2d> boxes;
-  for (const ContourSample& sample : organ.samples) {
-    ++samples_on[{sample.slice, sample.contour}];
-    boxes[{sample.slice, sample.contour}].extend(sample.point_in_slice_mm);
-  }
-  std::vector<ContourSample> lost;
-  if (organ.samples.empty()) return lost;
-  for (const std::size_t seed : lost_seeds) {
-    const ContourSample& sample = organ.samples[seed];
-    const Loop loop{sample.slice, sample.contour};
-    if (++lost_on[loop] < samples_on[loop]) continue;
-    const double wide_mm = boxes[loop].sizes().maxCoeff();
-    if (wide_mm > speck_pixels * organ.poses[sample.slice].spacing_mm.minCoeff()) lost.push_back(sample);
-  }
-  return lost;
-}
-
 constexpr int most_refinements = 2;
 constexpr std::size_t most_vertices_to_refine = 1'000'000;  // a refined surface has four times as many
 
-std::pair<ExtractedSurface, std::vector<ContourSample>> extract_every_contour(const FittedOrgan& organ,
-                                                                              const ScalarField& field,
-                                                                              const ReconstructOptions& options,
-                                                                              ExtractionOptions& extraction,
-                                                                              const Progress& progress) {
+std::pair<ExtractedSurface, std::vector<LostContour>> extract_every_contour(const FittedOrgan& organ,
+                                                                            const ScalarField& field,
+                                                                            const ReconstructOptions& options,
+                                                                            ExtractionOptions& extraction,
+                                                                            const Progress& progress) {
   const int refinements = options.resolution_mm > 0 ? 0 : most_refinements;
   for (int refined = 0;; ++refined, extraction.resolution_mm /= 2) {
     try {
       ExtractedSurface extracted = extract_surface(field, organ.seeds_mm, extraction, progress);
-      std::vector<ContourSample> lost = lost_contours(organ, extracted.seeds_without_surface);
+      std::vector<LostContour> lost = lost_contours(organ, extracted.seeds_without_surface);
+      if (options.resolution_mm <= 0) lost = add_lost_parts(lost, organ, field, extraction, extracted);
       const bool too_many = extracted.mesh.vertices_mm.size() >= most_vertices_to_refine;
       if (lost.empty() || refined == refinements || too_many) return {std::move(extracted), std::move(lost)};
     } catch (const GeometryError&) {  // every contour fits between the cells' corners
@@ -136,7 +113,9 @@ std::vector<ContourSample> extract_organ(const FittedOrgan& organ, const Bounded
   result.report.cut_by_bounds = extracted.cut_by_bounds;
   result.report.surface_seconds += watch.seconds();
   result.report.peak_bytes = peak_memory_bytes();
-  return std::move(lost);
+  std::vector<ContourSample> lost_samples;
+  for (const LostContour& contour : lost) lost_samples.push_back(organ.samples[contour.front()]);
+  return lost_samples;
 }
 
 void require_none_lost(const std::vector<ContourSample>& lost, const FittedOrgan& organ,
