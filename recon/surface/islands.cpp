@@ -23,9 +23,12 @@ bool add_island(const TriangleMesh& island, double cell_mm, TriangleMesh& surfac
   for (const Eigen::Vector3d& vertex : island.vertices_mm) around.extend(vertex);
   around.min().array() -= cell_mm;
   around.max().array() += cell_mm;
-  if (std::any_of(surface.vertices_mm.begin(), surface.vertices_mm.end(),
-                  [&](const Eigen::Vector3d& vertex) { return around.contains(vertex); }))
-    return false;
+  const auto is_near = [&](const Eigen::Vector3d& vertex) {
+    return around.contains(vertex) &&
+           std::any_of(island.vertices_mm.begin(), island.vertices_mm.end(),
+                       [&](const Eigen::Vector3d& other) { return (vertex - other).norm() < cell_mm; });
+  };
+  if (std::any_of(surface.vertices_mm.begin(), surface.vertices_mm.end(), is_near)) return false;
   const auto first = static_cast<int>(surface.vertices_mm.size());
   surface.vertices_mm.insert(surface.vertices_mm.end(), island.vertices_mm.begin(), island.vertices_mm.end());
   surface.normals.insert(surface.normals.end(), island.normals.begin(), island.normals.end());

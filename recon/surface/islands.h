@@ -17,8 +17,8 @@ std::optional<TriangleMesh> extract_island(const ScalarField& field, const std::
                                            const Eigen::AlignedBox3d& box, double resolution_mm,
                                            const ExtractionOptions& surface_options);
 
-/// Adds an island to a surface in cells of `cell_mm`; false, and nothing is done, where the surface comes nearer to the
-/// island's box than a cell: the two might cross, or the surface might hold the island already.
+/// Adds an island to a surface in cells of `cell_mm`; false, and nothing is done, where the two have vertices nearer
+/// than a cell: they might cross, or the surface might hold the island already.
 bool add_island(const TriangleMesh& island, double cell_mm, TriangleMesh& surface);
 
 }  // namespace isostack
