@@ -42,8 +42,8 @@ struct BoundedField {
 BoundedField bounded_field(const FittedOrgan& organ, const ReconstructOptions& options);
 
 /// The surface of the field, which may differ from the organ's own, into result.surface; fills the report. Where a
-/// resolution is not asked for, it is refined until every contour has a surface. Returns a sample of each contour that
-/// has none even so.
+/// resolution is not asked for, contours without a surface get one in finer cells where they can (lost_contours.h), and
+/// else all cells are refined. Returns a sample of each contour that has none even so.
 std::vector<ContourSample> extract_organ(const FittedOrgan& organ, const BoundedField& bounded,
                                          const ReconstructOptions& options, const Progress& progress,
                                          Reconstruction& result);
